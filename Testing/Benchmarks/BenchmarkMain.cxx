@@ -145,7 +145,8 @@ double GetAvailableMemory()
 
 void TouchFreeMemory(double bytes)
 {
-  const auto size = static_cast<vtkIdType>(std::min(bytes, 0.5 * GetAvailableMemory()) / 8.);
+  const auto size =
+    static_cast<vtkIdType>(std::clamp(bytes, 0., std::max(0., 0.5 * GetAvailableMemory())) / 8.);
   {
     subdivision::Buffer<long long> memory(size, 1);
     benchmark::DoNotOptimize(memory.data());

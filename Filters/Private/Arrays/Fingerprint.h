@@ -92,7 +92,7 @@ Fingerprint ComputeFingerprint(vtkDataArray* array, const Work& work)
   const vtkIdType tuple =
     std::max(1, array->GetNumberOfComponents() * array->GetDataTypeSize()); // bytes
   const vtkIdType tuples = array->GetNumberOfTuples();
-  const vtkIdType bytes = tuples * tuple;
+  const vtkIdType bytes = array->GetNumberOfValues() * array->GetDataTypeSize(); // 0 of bits
   const vtkIdType words = bytes / 8;
   constexpr vtkIdType block = FingerprintHashes::Block;
   const vtkIdType blocks = (words + block - 1) / block;

@@ -291,16 +291,15 @@ public:
     const SurfaceSteps<int>* steps = this->MakeLevels(level);
     if (steps && level > 0)
     {
-      // An earlier filter made the input. Its level has all that rows read if two more follow.
-      this->Surface.Levels = 2;
+      // An earlier filter made the input. Its level has all that rows read if limits are to follow.
       this->Surface.Warn = [](const std::string&) {}; // told already
-      steps = this->MakeLevels(level);
+      steps = this->MakeLevels(level, true);
     }
     return steps && this->Examine(steps->GetLevel(level));
   }
 
 private:
-  const SurfaceSteps<int>* MakeLevels(int& level)
+  const SurfaceSteps<int>* MakeLevels(int& level, bool isWhole = false)
   {
     const auto scheme = MakeSurfaceScheme<int>(
       this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Features.Weights);
@@ -316,6 +315,7 @@ private:
         "The surface has more faces than this filter can number. Use a part of it.");
       return nullptr;
     }
+    this->Surface.ProjectToLimit = isWhole; // after checks of rows of limits, which nobody makes
     this->VertexCells = cells.Vertices;
     this->Maker = std::make_unique<SurfaceRun<int>>(this->Input, this->Surface, scheme, nullptr);
     return this->Maker->MakeLevels(std::move(cells), level);

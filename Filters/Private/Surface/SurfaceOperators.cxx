@@ -61,10 +61,10 @@ Buffer<vtkIdType> GatherTriangles(
       PolygonEars ears(coordinates, PointOrder());
       for (vtkIdType face = begin; face < end; ++face)
       {
-        const vtkIdType first = mesh.GetFirst(static_cast<int>(face));
+        const vtkIdType first = mesh.GetFirstOfCounted(face);
+        const vtkIdType size = mesh.GetFirstOfCounted(face + 1) - first;
         vtkIdType* to = triangles.data() + 3 * (first - 2 * face);
-        for (const auto& triangle :
-          ears.Cut(corners.data() + first, mesh.GetSize(static_cast<int>(face))))
+        for (const auto& triangle : ears.Cut(corners.data() + first, size))
         {
           to = std::copy(triangle.begin(), triangle.end(), to);
         }

@@ -25,7 +25,7 @@ template <typename Id>
 bool SurfaceRun<Id>::ForgetsLevels() const
 {
   return !this->Kept && this->Input->GetCellData()->GetNumberOfArrays() == 0 &&
-    !this->Options.GenerateOriginalIds && !FindPartners(this->Options, this->Input);
+    !this->Options.GenerateOriginalIds && !this->Options.FindPartners;
 }
 
 /// Makes the cells and points of the output. Returns false if Progress asks to stop.

@@ -261,7 +261,7 @@ bool UniformRun::MakesChains(const typename Scheme::Level& level, int step) cons
   const int left = this->Options.Levels - step;
   return !Scheme::Traits.HasPieces && level.Complex.HasEdgesAlone() && left > 1 &&
     left <= MostStepsOfChains && !this->Options.ReadsLimit() && !this->Points->HasWeights() &&
-    !IsSharpAfter(this->Control.Sharpness, step) && this->Wanted.IsAll();
+    !IsSharpAfter(this->Control.Sharpness, step) && this->Wanted.IsAll() && HasSmallStars(level);
 }
 
 /// The last steps where there is nothing but vertices and edges.

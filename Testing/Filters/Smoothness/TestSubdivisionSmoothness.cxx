@@ -10,6 +10,7 @@
 #include "vtkSubdivisionSmoothness.h"
 
 #include "vtkMultiBlockDataSet.h"
+#include "vtkPlatonicSolidSource.h"
 #include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSMPTools.h"
@@ -18,6 +19,7 @@
 
 #include <map>
 #include <sstream>
+#include <vector>
 
 using namespace simplicial_complex_topology_tools;
 
@@ -443,6 +445,52 @@ TEST(SubdivisionSmoothness, LevelsOfAFilter)
     filter->Update();
     const Grid output = Examine(filter->GetOutput(), scheme);
     EXPECT_GT(output->GetNumberOfCells(), fan->GetNumberOfCells());
+  }
+}
+
+TEST(SubdivisionSmoothness, LevelsOfClosedSurfaces)
+{
+  // Steps of these skip levels, and store less of them. All levels are smooth, so that their faces
+  // are what the same faces are without a stamp.
+  vtkNew<vtkPlatonicSolidSource> source;
+  for (int scheme = Filter::LOOP; scheme <= Filter::SQRT_THREE; ++scheme)
+  {
+    const bool ofQuads = scheme == Filter::CATMULL_CLARK || scheme == Filter::DOO_SABIN ||
+      scheme == Filter::MIDEDGE || scheme == Filter::FOUR_EIGHT;
+    ofQuads ? source->SetSolidTypeToCube() : source->SetSolidTypeToTetrahedron();
+    source->Update();
+    for (const int levels : { 1, 2, 3 })
+    {
+      SCOPED_TRACE(std::to_string(scheme) + ", " + std::to_string(levels) + " levels");
+      vtkNew<vtkSurfaceSubdivision> filter;
+      filter->SetScheme(scheme - Filter::LOOP);
+      filter->SetNumberOfLevels(levels);
+      filter->SetInputData(source->GetOutput());
+      filter->Update();
+      vtkNew<vtkPolyData> plain;
+      plain->ShallowCopy(filter->GetOutput());
+      plain->GetFieldData()->Initialize();
+      const Grid output = Examine(filter->GetOutput(), scheme);
+      const Grid expected = Examine(plain.Get(), scheme);
+      const auto list = [](const Grid& grid)
+      {
+        std::vector<double> ofFaces;
+        for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+        {
+          if (grid->GetCell(c)->GetCellDimension() == 2)
+          {
+            ofFaces.push_back(Get(grid, "Failing", c));
+          }
+        }
+        return ofFaces;
+      };
+      EXPECT_EQ(list(output).size(), static_cast<std::size_t>(plain->GetNumberOfCells()));
+      EXPECT_EQ(list(output), list(expected));
+      if (scheme != Filter::DOO_SABIN && scheme != Filter::MIDEDGE) // whose steps make faces alone
+      {
+        EXPECT_EQ(output->GetNumberOfCells(), expected->GetNumberOfCells());
+      }
+    }
   }
 }
 

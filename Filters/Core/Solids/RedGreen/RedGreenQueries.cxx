@@ -110,6 +110,11 @@ void RedGreen<Id>::SortVertices()
   {
     Id Ends[2];
     Id Edge;
+    bool operator<(const Vertex& other) const
+    {
+      return this->Ends[0] != other.Ends[0] ? this->Ends[0] < other.Ends[0]
+                                            : this->Ends[1] < other.Ends[1];
+    }
   };
   const Id given = this->InputVertices;
   Buffer<Id> numbers(this->GetNumberOfVertices());
@@ -130,9 +135,19 @@ void RedGreen<Id>::SortVertices()
       least = std::min(least, order.back().Ends[0]);
       most = std::max(most, order.back().Ends[0]);
     }
+    const auto range = vtkIdType(most) - least + 1;
+    if (range > 8 * static_cast<vtkIdType>(order.size())) // lists would be empty, most of them
+    {
+      std::sort(order.begin(), order.end());
+      for (const Vertex& vertex : order)
+      {
+        numbers[this->Edges[vertex.Edge].Midpoint] = next++;
+      }
+      continue;
+    }
     // Listed by their first ends they are nearly sorted, as a vertex has few edges.
     Rows<Id> lists = ListByRow<Id>(
-      vtkIdType(most) - least + 1, static_cast<vtkIdType>(order.size()), [&](vtkIdType i)
+      range, static_cast<vtkIdType>(order.size()), [&](vtkIdType i)
       { return order[i].Ends[0] - least; }, [](vtkIdType i) { return static_cast<Id>(i); });
     for (const vtkIdType list : InTurn(lists.GetNumberOfRows()))
     {

@@ -17,6 +17,21 @@ namespace subdivision
 /// With more steps the chains of few edges are larger than a core's own cache.
 constexpr int MostStepsOfChains = 5;
 
+/// Whether few enough edges meet at vertices. Each chain takes the stars of both of its ends along,
+/// so that all edges at one vertex would take the square of their number.
+template <typename LevelType>
+bool HasSmallStars(const LevelType& level)
+{
+  constexpr vtkIdType most = 32; // for each edge; 4 where nothing branches
+  vtkIdType members = 0;
+  for (const auto vertex : InTurn(level.Complex.NumberOfVertices))
+  {
+    const auto size = static_cast<vtkIdType>(level.Strata.VertexRings.GetSize(vertex));
+    members += size * size;
+  }
+  return members <= most * static_cast<vtkIdType>(level.Complex.NumberOfEdges);
+}
+
 /// The numbers of the points inside the chains. A place in a chain is a number from 1 on.
 class ChainPoints
 {

@@ -217,3 +217,18 @@ TEST(Chains, HaveNoRows)
   const Chains<int> chains(level.Level, 2);
   EXPECT_THROW(chains.ForEachBlock([](const RowsView&) {}), std::logic_error);
 }
+
+// All chains at a vertex take all of its edges along, which is too much where there are many.
+TEST(Chains, OnlyWhereFewEdgesMeet)
+{
+  for (const vtkIdType edges : { 2, 31, 34, 1000 })
+  {
+    Mesh star("star");
+    star.Cells.NumberOfPoints = edges + 1;
+    for (vtkIdType i = 1; i <= edges; ++i)
+    {
+      star.AddCell({ 0, i });
+    }
+    EXPECT_EQ(HasSmallStars(Build<int>(star.Cells).Level), edges < 32) << edges;
+  }
+}
