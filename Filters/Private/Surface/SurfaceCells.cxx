@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellsToSimplices.h"

@@ -282,10 +282,7 @@ void UniformRun::StepInChains(const typename Scheme::Level& level, int steps)
     this->FinishPoints(true);
     if (this->Options.GenerateClassification)
     {
-      Buffer<Stratum> vertices;
-      Buffer<Stratum> edges;
-      chains.GetStrata(vertices, edges);
-      this->AddClassification(vertices, edges);
+      this->AddClassification(chains.GetStrata(), Buffer<Stratum>());
     }
   }
 }

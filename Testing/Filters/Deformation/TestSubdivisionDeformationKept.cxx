@@ -9,6 +9,7 @@
 #include "Private/Arrays/Fingerprint.h"
 #include "Private/Deformation/EmbeddedPoints.h"
 
+#include "vtkBitArray.h"
 #include "vtkInformation.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkSubdivisionModelSource.h"
@@ -140,6 +141,11 @@ TEST(SubdivisionDeformationKept, OneOtherValueShowsInTheChecksum)
   zeros->SetNumberOfValues(30);
   zeros->Fill(0.);
   EXPECT_NE(Print(std::vector<float>(60, 0.F)), subdivision::ComputeFingerprint(zeros));
+  // Bits have no bytes of their own: none are read, rather than too many.
+  vtkNew<vtkBitArray> bits;
+  bits->SetNumberOfValues(1000);
+  bits->Fill(1.);
+  EXPECT_EQ(subdivision::ComputeFingerprint(bits).size(), 3U);
 }
 
 TEST(SubdivisionDeformationKept, WorkBesideTheChecksumIsDoneOnceForEachPoint)

@@ -182,22 +182,21 @@ void Chains<Id>::ForEachChains(const ChainUser& use) const
 }
 
 template <typename Id>
-void Chains<Id>::GetStrata(Buffer<Stratum>& vertices, Buffer<Stratum>& edges) const
+Buffer<Stratum> Chains<Id>::GetStrata() const
 {
   const vtkIdType size = vtkIdType(1) << this->Steps;
-  vertices = Buffer<Stratum>(this->GetNumberOfRows());
-  edges = Buffer<Stratum>(size * this->Complex.NumberOfEdges);
-  CopyInThreads(this->Strata.Vertices.data(), this->Complex.NumberOfVertices, vertices.data());
+  Buffer<Stratum> strata(this->GetNumberOfRows());
+  CopyInThreads(this->Strata.Vertices.data(), this->Complex.NumberOfVertices, strata.data());
   ForEach(this->Complex.NumberOfEdges,
     [&](vtkIdType e)
     {
-      std::fill_n(edges.data() + size * e, size, this->Strata.Edges[e]);
       for (vtkIdType place = 1; place < size; ++place)
       {
-        vertices[this->Points.GetFirstAt(place) + this->Points.GetFactor(place) * e] =
+        strata[this->Points.GetFirstAt(place) + this->Points.GetFactor(place) * e] =
           this->Strata.Edges[e];
       }
     });
+  return strata;
 }
 
 SUBDIVISION_COMPILE(class Chains);

@@ -134,8 +134,8 @@ public:
       { return *std::min_element(ends + 2 * edge, ends + 2 * edge + 2, isEarlier); });
   }
 
-  /// The strata of all vertices and edges after the steps.
-  void GetStrata(Buffer<Stratum>& vertices, Buffer<Stratum>& edges) const;
+  /// The strata of all vertices after the steps.
+  Buffer<Stratum> GetStrata() const;
 
 private:
   const SimplicialComplex<Id>& Complex;

@@ -163,9 +163,7 @@ void AppendRows(const SurfaceLevel<Id>& level, vtkIdType begin, vtkIdType end, R
 template <typename Id>
 void GetParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
 {
-  RowBlock<Id> rows;
-  AppendRows(level, row, row + 1, rows);
-  parents.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
+  ListColumns<Id>([&](RowBlock<Id>& rows) { AppendRows(level, row, row + 1, rows); }, parents);
 }
 
 template <typename Id, typename Out>
@@ -177,13 +175,6 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
   ForEach(4 * corners, [&](vtkIdType c) { ids[c] = static_cast<Out>(c); });
   Out* const alongSides = ids + 4 * corners;
   Out* const atVertices = ids + 12 * corners;
-  const auto set = [](Out* to, Id a, Id b, Id c, Id d)
-  {
-    to[0] = static_cast<Out>(a);
-    to[1] = static_cast<Out>(b);
-    to[2] = static_cast<Out>(c);
-    to[3] = static_cast<Out>(d);
-  };
   // For each corner three faces: along the next level's side on the corner's half-edge, along that
   // between the face along the previous side and the one around the vertex, and at its vertex.
   const auto write = [&](Id vertex, const auto& visitFans)
@@ -199,16 +190,17 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
           const Id previous = mesh.Previous(corner);
           const Id along = next.GetAlong(corner);
           const Id before = next.GetAlongOfNext(previous);
-          set(alongSides + 4 * static_cast<vtkIdType>(corner), mesh.Next(corner), corner, along,
-            along - 1);
+          WriteFace(alongSides + 4 * static_cast<vtkIdType>(corner), mesh.Next(corner), corner,
+            along, along - 1);
           // The twin of the previous corner begins at the vertex.
           const bool isFirst = !next.IsFirst(previous);
           const vtkIdType side =
             corners + 2 * static_cast<vtkIdType>(next.GetSide(previous)) + (isFirst ? 0 : 1);
           const Id quad = before - (before - next.Corners) % 4;
-          set(alongSides + 4 * side, quad + (isFirst ? 2 : 0), quad + (isFirst ? 1 : 3),
+          WriteFace(alongSides + 4 * side, quad + (isFirst ? 2 : 0), quad + (isFirst ? 1 : 3),
             around + (j + 1 < size ? j + 1 : 0), around + j);
-          set(atVertices + 4 * static_cast<vtkIdType>(corner), corner, before, around + j, along);
+          WriteFace(
+            atVertices + 4 * static_cast<vtkIdType>(corner), corner, before, around + j, along);
         }
       });
   };

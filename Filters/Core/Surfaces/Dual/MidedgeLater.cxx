@@ -5,6 +5,7 @@
 #include "Core/Surfaces/Dual/DualPlaces.h"
 #include "Core/Surfaces/Dual/MidedgeWeights.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <array>
 
@@ -222,23 +223,12 @@ template <typename Id>
 void GetParents(
   const SurfaceLevel<Id>& level, int ahead, vtkIdType row, std::vector<vtkIdType>& parents)
 {
-  RowBlock<Id> rows;
-  AppendRows(level, ahead, row, row + 1, rows);
-  parents.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
-}
-
-/// Four vertices of a face, which are corners of the level two steps later.
-template <typename Out, typename Id>
-void WriteQuad(Out* to, Id a, Id b, Id c, Id d)
-{
-  to[0] = static_cast<Out>(a);
-  to[1] = static_cast<Out>(b);
-  to[2] = static_cast<Out>(c);
-  to[3] = static_cast<Out>(d);
+  ListColumns<Id>(
+    [&](RowBlock<Id>& rows) { AppendRows(level, ahead, row, row + 1, rows); }, parents);
 }
 
 /// Of the level four steps later: faces inside those of the level two steps later, at its vertices,
-/// and at its sides.
+/// and at its sides. Their vertices are corners of the level two steps later.
 template <typename Id, typename Out>
 void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
 {
@@ -254,7 +244,7 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
     {
       const Id corner = static_cast<Id>(c);
       const Id next = mesh.Next(corner);
-      WriteQuad(atVertices + 4 * c, mesh.Previous(corner), later.GetAlongBefore(corner),
+      WriteFace(atVertices + 4 * c, mesh.Previous(corner), later.GetAlongBefore(corner),
         later.GetAroundBefore(next), later.GetAlong(next));
     });
   ForEach(corners,
@@ -262,7 +252,7 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
     {
       const Id corner = static_cast<Id>(c);
       const Id next = mesh.Next(corner);
-      WriteQuad(atInside + 4 * c, corner, mesh.Previous(corner), later.GetAlong(next),
+      WriteFace(atInside + 4 * c, corner, mesh.Previous(corner), later.GetAlong(next),
         later.GetAlongBefore(next));
     });
   ForEach(corners,
@@ -270,7 +260,7 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
     {
       const Id corner = later.GetCornerAt(place);
       const Id along = later.GetAlongBefore(mesh.Previous(corner));
-      WriteQuad(atAround + 4 * place, static_cast<Id>(corners + place),
+      WriteFace(atAround + 4 * place, static_cast<Id>(corners + place),
         later.GetAroundBefore(corner), along, along - 1);
     });
 }

@@ -5,6 +5,7 @@
 #include "Core/Surfaces/Dual/DualNext.h"
 #include "Core/Surfaces/Dual/MidedgeLater.h"
 #include "Core/Surfaces/Dual/MidedgeWeights.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <array>
 
@@ -81,11 +82,8 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
       const Id twin = mesh.Twins[corner];
       if (corner < twin)
       {
-        Out* to = atSides + 4 * static_cast<vtkIdType>(places.Sides[corner]);
-        to[0] = static_cast<Out>(corner);
-        to[1] = static_cast<Out>(mesh.Previous(corner));
-        to[2] = static_cast<Out>(twin);
-        to[3] = static_cast<Out>(mesh.Previous(twin));
+        WriteFace(atSides + 4 * static_cast<vtkIdType>(places.Sides[corner]), corner,
+          mesh.Previous(corner), twin, mesh.Previous(twin));
       }
     });
 }

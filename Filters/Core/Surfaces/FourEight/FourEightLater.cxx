@@ -5,6 +5,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightRings.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 #include <array>
 
@@ -407,9 +408,8 @@ void GetParents(
     parents.assign({ row });
     return;
   }
-  RowBlock<Id> rows;
-  AppendRows(level, ahead, row, row + 1, rows);
-  parents.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
+  ListColumns<Id>(
+    [&](RowBlock<Id>& rows) { AppendRows(level, ahead, row, row + 1, rows); }, parents);
 }
 
 /// The faces of the level four steps later that come from a spoke's face: each lies across a side
@@ -459,11 +459,8 @@ public:
       for (std::size_t k = 0; k < 4; ++k)
       {
         const bool isOwn = isOwnSide & (quad < neighbours[k]);
-        Out* const face = isOwn ? to : others;
-        face[0] = static_cast<Out>(vertices[k]);
-        face[1] = static_cast<Out>(this->Later.FirstSide + neighbours[k]);
-        face[2] = static_cast<Out>(vertices[(k + 1) % 4]);
-        face[3] = static_cast<Out>(this->Later.FirstSide + quad);
+        WriteFace(isOwn ? to : others, vertices[k], this->Later.FirstSide + neighbours[k],
+          vertices[(k + 1) % 4], this->Later.FirstSide + quad);
         to += isOwn ? 4 : 0;
       }
     }

@@ -6,6 +6,7 @@
 #include "Core/Surfaces/FourEight/FourEightLater.h"
 #include "Core/Surfaces/FourEight/FourEightRings.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 
 namespace subdivision
 {
@@ -117,11 +118,8 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
     [&](Id face, Id quad, Id owner, std::size_t side, Id other)
     {
       const std::array<Id, 4> vertices = next.GetVertices(owner);
-      Out* to = ids + 4 * static_cast<vtkIdType>(face);
-      to[0] = static_cast<Out>(vertices[side]);
-      to[1] = static_cast<Out>(centres + other);
-      to[2] = static_cast<Out>(vertices[(side + 1) % 4]);
-      to[3] = static_cast<Out>(centres + quad);
+      WriteFace(ids + 4 * static_cast<vtkIdType>(face), vertices[side], centres + other,
+        vertices[(side + 1) % 4], centres + quad);
     });
 }
 
@@ -152,7 +150,7 @@ StepOfNext<Id> MakeFourEightStepOfNext()
   return { [](const SurfaceLevel<Id>& level) { return !FourEightTopology<Id>(level).HasFixed(); },
     AppendRows<Id>, GetParents<Id>, [](const SurfaceLevel<Id>& level, IdsOut ids)
     { std::visit([&level](auto* to) { WriteFaces(level, to); }, ids); }, Count<Id>,
-    MakeFourEightStepsOfLater<Id>() };
+    MakeFourEightStepsOfLater<Id>(), true };
 }
 
 SUBDIVISION_COMPILE_FUNCTION(AppendFourEightVertices);

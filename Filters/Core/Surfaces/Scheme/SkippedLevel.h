@@ -49,6 +49,22 @@ bool AreAll(vtkIdType size, const IsTrue& isTrue)
   return areAll;
 }
 
+/// Writes the vertices of a face.
+template <typename Out, typename... Ids>
+void WriteFace(Out* to, Ids... vertices)
+{
+  ((*to++ = static_cast<Out>(vertices)), ...);
+}
+
+/// The columns of a row that append(rows) appends: what GetParents of a step gives.
+template <typename Id, typename Append>
+void ListColumns(const Append& append, std::vector<vtkIdType>& columns)
+{
+  RowBlock<Id> rows;
+  append(rows);
+  columns.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
+}
+
 /// The vertices of a level at which rows of the step from the next level may be irregular,
 /// ascending: those that are not smooth, and the ends of edges that are not, or that both faces
 /// have in the same direction.

@@ -92,8 +92,8 @@ struct SurfaceLevel
   /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
   /// is not known.
   vtkIdType FirstMade = -1;
-  /// In 4-8 and sqrt(3): the level from which a step made this one, if it is still there, and if no
-  /// vertex of the control level is irregular (FindIrregularVertices). Otherwise nullptr.
+  /// In 4-8: the level from which a step made this one, if it is still there, and if no vertex of
+  /// the control level is irregular (FindIrregularVertices). Otherwise nullptr.
   const SurfaceLevel* Before = nullptr;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
@@ -191,6 +191,8 @@ struct StepOfNext
   /// for CarryFaces or ListChildren. Otherwise Refine and these two need no more of it.
   std::function<SurfaceLevel<Id>(const SurfaceLevel<Id>& skipped)> Count;
   StepsOfLater<Id> Later = {};
+  /// Whether steps read SurfaceLevel::Before, so that no level before them may go.
+  bool ReadsBefore = false;
 };
 
 template <typename Id>

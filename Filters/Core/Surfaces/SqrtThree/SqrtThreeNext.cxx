@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeTopology.h"
 
@@ -190,12 +191,6 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
   const NextLevel<Id> next(level);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id centres = static_cast<Id>(next.GetNumberOfVertices());
-  const auto set = [](Out* to, Id a, Id b, Id c)
-  {
-    to[0] = static_cast<Out>(a);
-    to[1] = static_cast<Out>(b);
-    to[2] = static_cast<Out>(c);
-  };
   ForEach(mesh.NumberOfFaces,
     [&](vtkIdType f)
     {
@@ -209,9 +204,9 @@ void WriteFaces(const SurfaceLevel<Id>& level, Out* ids)
         const Id face = twin / 3;
         const Id after = twin == 3 * face + 2 ? twin - 2 : twin + 1;
         const Id own = centres + first + i;
-        set(to, mesh.Vertices[first + i], centres + after, own);
-        set(to + 3, next.Vertices + face, centres + twin, own);
-        set(to + 6, apex, centres + twins[(i + 2) % 3], own);
+        WriteFace(to, mesh.Vertices[first + i], centres + after, own);
+        WriteFace(to + 3, next.Vertices + face, centres + twin, own);
+        WriteFace(to + 6, apex, centres + twins[(i + 2) % 3], own);
       }
     });
 }

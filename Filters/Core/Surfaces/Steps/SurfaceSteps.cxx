@@ -101,7 +101,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
                                                                           : Depth::ForLastStep;
     this->Levels.push_back(
       isSkipped && ofNext.Count ? ofNext.Count(level) : this->Scheme->Refine(level, depth));
-    this->Levels.back().Before = isRegular ? &this->Levels[step] : nullptr;
+    this->Levels.back().Before = isRegular && ofNext.ReadsBefore ? &this->Levels[step] : nullptr;
   }
   if (lastIsWhole)
   {
