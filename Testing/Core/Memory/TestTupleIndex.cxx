@@ -95,11 +95,25 @@ void CheckRandomTuples()
   for (const Id vertices : { Id(6), Id(40), Id(3000) })
   {
     constexpr vtkIdType size = 700;
-    const Tuples<N, Id> tuples = DrawTuples<N, Id>(vertices, size, N);
-    for (const vtkIdType leading : { vtkIdType(0), vtkIdType(1), size / 3, size - 1, size })
+    std::vector<std::array<Id, N>> list;
+    for (const auto& tuple : DrawTuples<N, Id>(vertices, size, N))
     {
-      CheckByDefinition<N, Id>(tuples, NumberTuples<N, Id>(tuples, vertices, leading), leading);
+      list.push_back(tuple);
     }
+    const auto check = [&]()
+    {
+      const Tuples<N, Id> tuples = ToTuples<N, Id>(list);
+      const vtkIdType all = tuples.size();
+      for (const vtkIdType leading : { vtkIdType(0), vtkIdType(1), all / 3, all - 1, all })
+      {
+        CheckByDefinition<N, Id>(tuples, NumberTuples<N, Id>(tuples, vertices, leading), leading);
+      }
+    };
+    check();
+    std::sort(list.begin(), list.end()); // with the same tuple several times in a row
+    check();
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    check();
   }
 }
 
