@@ -65,6 +65,7 @@ struct Produced
 {
   double Cells = 0.;
   double Bytes = 0.;
+  bool IsRefused = false; ///< It does not fit into memory, so its time tells nothing.
 };
 
 /// Registers `work`, which runs once per repetition. A name is family/what/case/levels:n/threads:n.
@@ -89,6 +90,11 @@ inline void Register(const std::string& name, int threads,
           produced = work(watch);
           *size = produced.Bytes;
           state.SetIterationTime(watch.GetSeconds());
+          if (produced.IsRefused)
+          {
+            state.SkipWithError("There is no output; the filter says why.");
+            break;
+          }
         }
         state.counters["cells"] = produced.Cells;
         state.counters["bytes"] = produced.Bytes;
