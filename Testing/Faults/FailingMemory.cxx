@@ -9,6 +9,7 @@
 #include <new>
 
 #include <link.h>
+#include <malloc.h>
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define HAS_SANITIZER 1 // which has a malloc of its own
@@ -28,6 +29,9 @@ constexpr std::size_t Least = 256;
 std::atomic<long> left{ -1 };
 std::atomic<bool> failed{ false };
 std::atomic<long> pieces{ 0 };
+std::atomic<long> bytesNow{ 0 };
+std::atomic<long> mostBytes{ 0 };
+long bytesAtStart = 0;
 long allowed = 0; ///< calls, by FailAfter
 long made = 0;
 
@@ -115,6 +119,17 @@ long CountPieces()
   return pieces;
 }
 
+void StartPeak()
+{
+  bytesAtStart = bytesNow;
+  mostBytes = bytesAtStart;
+}
+
+long GetPeak()
+{
+  return mostBytes - bytesAtStart;
+}
+
 }
 
 void* operator new(std::size_t bytes)
@@ -183,11 +198,27 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept
 namespace
 {
 
+long GetSize(void* memory)
+{
+  return static_cast<long>(malloc_usable_size(memory));
+}
+
+/// Keeps the peak; that of several threads may miss what others take at the same time.
+void AddBytes(long bytes)
+{
+  const long now = failing_memory::bytesNow.fetch_add(bytes, std::memory_order_relaxed) + bytes;
+  if (now > failing_memory::mostBytes.load(std::memory_order_relaxed))
+  {
+    failing_memory::mostBytes.store(now, std::memory_order_relaxed);
+  }
+}
+
 void* Counted(void* memory)
 {
   if (memory)
   {
     failing_memory::pieces.fetch_add(1, std::memory_order_relaxed);
+    AddBytes(GetSize(memory));
   }
   return memory;
 }
@@ -223,6 +254,7 @@ extern "C"
 
   void* realloc(void* memory, std::size_t bytes)
   {
+    const long before = memory ? GetSize(memory) : 0;
     void* moved = __libc_realloc(memory, bytes);
     if (!memory)
     {
@@ -231,6 +263,11 @@ extern "C"
     if (bytes == 0)
     {
       failing_memory::pieces.fetch_sub(1, std::memory_order_relaxed);
+      AddBytes(-before);
+    }
+    else if (moved)
+    {
+      AddBytes(GetSize(moved) - before);
     }
     return moved;
   }
@@ -251,6 +288,7 @@ extern "C"
     if (memory)
     {
       failing_memory::pieces.fetch_sub(1, std::memory_order_relaxed);
+      AddBytes(-GetSize(memory));
     }
     __libc_free(memory);
   }

@@ -2,7 +2,8 @@
 /**
  * @file FailingMemory.h
  * Takes the place of the functions that give memory, and lets one call of the library fail. Calls
- * of VTK and others succeed, and those for less than 256 bytes. Counts what is not given back.
+ * of VTK and others succeed, and those for less than 256 bytes. Counts what is not given back, and
+ * keeps the peak.
  */
 #ifndef SubdivisionObjects_FailingMemory_h
 #define SubdivisionObjects_FailingMemory_h
@@ -20,6 +21,11 @@ long GetNumberOfCalls();
 /// The pieces of memory that all code of the process has and has not given back, plus a constant; 0
 /// where that is not counted: under sanitizers, which see themselves what is lost.
 long CountPieces();
+
+/// From here on the peak of the bytes that all code of the process has is kept.
+void StartPeak();
+/// How many bytes the peak is above what was there at StartPeak; 0 where pieces are not counted.
+long GetPeak();
 
 }
 

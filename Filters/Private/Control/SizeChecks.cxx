@@ -111,7 +111,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
     cells += children;
     entries += children * (run.Dimension + 1);
   }
-  double bytes = 8. * (entries + cells) + cells +
+  double bytes = BytesOfPages + 8. * (entries + cells) + cells +
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
     (last.Scheme->HasPieces ? 8. * cells : 0.); // OctahedronId
@@ -120,10 +120,15 @@ std::string CheckMemory(const SizeEstimate& estimate)
     // Limit rows need the last level in the depth for one more step, and a row of all neighbours
     // for each point.
     last = estimate.Levels > 0 ? last.Refine() : last;
-    bytes += estimate.BytesPerId * (14. * last.Tets + 9. * last.Faces + 18. * last.Edges) +
+    bytes += estimate.BytesPerId * (19. * last.Tets + 12. * last.Faces + 24. * last.Edges) +
       (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
       estimate.BytesPerPoint * points;
     bytes += estimate.BytesPerId * last.Scheme->CountMoreIds(last);
+    if (estimate.Frames > 0)
+    {
+      bytes += 2.2 * (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges) +
+        24. * estimate.Frames * points;
+    }
   }
   return CheckMemory(cells, points, bytes, estimate.Levels);
 }

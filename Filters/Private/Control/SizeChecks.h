@@ -25,6 +25,9 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
 /// Whether ids inside the program may need more than 32 bits in so many steps.
 bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme);
 
+/// What estimates add for lists, which begin and end with pages of 2 MB.
+constexpr double BytesOfPages = 16e6;
+
 struct SizeEstimate
 {
   LevelCounts Control; ///< simplices of the current level
@@ -34,6 +37,7 @@ struct SizeEstimate
   double BytesPerCell = 0; ///< of cell data
   double BytesPerId = 4;
   bool Projects = false; ///< with limit rows of the last level
+  int Frames = 0; ///< arrays of normals and tangents, whose rows stand beside those of limits
 };
 
 /// An error message if the peak, the output and what the last step needs beside it, does not fit.

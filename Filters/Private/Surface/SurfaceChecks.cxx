@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -23,26 +24,95 @@ namespace subdivision
 namespace
 {
 
-/// An error message if the output would be too large; `faces`: about how many there will be.
-std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, double& faces)
+/// Whether options ask for sharp edges or vertices.
+bool HasFlags(const FeatureOptions& features)
 {
-  const double lines = std::ldexp(static_cast<double>(cells.SegmentCells.size()), options.Levels);
-  faces = scheme.CountFaces(static_cast<double>(cells.GetNumberOfFaces()),
-    static_cast<double>(cells.Corners.size()), options.Levels);
-  const double all = faces + lines + static_cast<double>(cells.VertexCells.size());
-  const double bytesPerFace = scheme.NeedsTriangles() ? 32. : 40.;
-  const std::string tooMany =
-    CheckNumberOfCells(all, all * bytesPerFace, options.Levels, options.MaximumNumberOfCells);
-  if (!tooMany.empty())
+  return features.Singular || features.Sharpness || features.PreserveInterfaces ||
+    features.DetectFeatures || !features.Marks.IsEmpty();
+}
+
+/// Whether each edge has an even number of faces: then the numbers that are made of its ends cancel
+/// each other.
+bool IsClosed(const SurfaceCells& cells)
+{
+  std::uint64_t sum = 0;
+  for (const auto face : InTurn(cells.GetNumberOfFaces()))
   {
-    return tooMany;
+    const vtkIdType begin = cells.FaceOffsets[face];
+    const vtkIdType end = cells.FaceOffsets[face + 1];
+    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
+    {
+      const auto [a, b] = std::minmax(cells.Corners[last], cells.Corners[i]);
+      const std::uint64_t edge =
+        static_cast<std::uint64_t>(a) * 0x9e3779b97f4a7c15U + static_cast<std::uint64_t>(b);
+      sum ^= (edge ^ edge >> 29) * 0xbf58476d1ce4e5b9U;
+    }
   }
-  // A face has about one point; the levels before the last take about as much as its cells.
-  const double points = static_cast<double>(cells.NumberOfPoints) + faces + lines;
-  const double bytes = all * (2. * bytesPerFace + GetBytesPerTuple(input->GetCellData())) +
-    1.25 * points * (24. + GetBytesPerTuple(input->GetPointData()));
-  return CheckMemory(all, points, bytes, options.Levels);
+  return sum == 0;
+}
+
+/// What the output has.
+struct SurfaceSize
+{
+  double Faces = 0.;
+  double Lines = 0.;
+  double Points = 0.;
+  bool HasLargeIds = false; ///< whether the levels need ids of 64 bits
+};
+
+SurfaceSize CountOutput(
+  const SurfaceCells& cells, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+{
+  const auto corners = static_cast<double>(cells.Corners.size());
+  const auto points = static_cast<double>(cells.NumberOfPoints);
+  const double faces = std::max(1., static_cast<double>(cells.GetNumberOfFaces()));
+  SurfaceSize size;
+  size.Faces = cells.FaceCells.empty() ? 0. : scheme.CountFaces(faces, corners, options.Levels);
+  size.Lines = std::ldexp(static_cast<double>(cells.SegmentCells.size()), options.Levels);
+  size.Points = points + size.Lines;
+  if (options.Levels > 0)
+  {
+    // Those of a closed surface, and those on boundaries, which are most where no face has others.
+    size.Points +=
+      scheme.GetFaceMemory().Points * size.Faces + 0.5 * corners * std::sqrt(size.Faces / faces);
+  }
+  size.HasLargeIds =
+    16. * (size.Faces + corners + points + 2. * size.Lines) > static_cast<double>(LargestSmallId);
+  return size;
+}
+
+/// The peak, in bytes.
+double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, const SurfaceSize& size)
+{
+  const FaceMemory ofFace = scheme.GetFaceMemory();
+  const bool hasFrames = options.GenerateLimitNormals || options.GenerateTangents;
+  const bool readsLimits = options.ProjectToLimit || hasFrames;
+  const bool isSmooth =
+    !(scheme.UsesTags() && HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
+  const double beside = hasFrames ? ofFace.Frames
+    : readsLimits                 ? ofFace.Limits
+    : isSmooth                    ? ofFace.Smooth
+                                  : ofFace.Sharp;
+  const double items = size.Faces + size.Lines;
+  const double data = GetBytesPerTuple(input->GetPointData());
+  const double frames =
+    24. * ((options.GenerateLimitNormals ? 1. : 0.) + (options.GenerateTangents ? 2. : 0.));
+  return BytesOfPages + items * (ofFace.Ids + GetBytesPerTuple(input->GetCellData())) +
+    size.Points * (24. + data + frames) + (size.HasLargeIds ? 2. : 1.) * beside * items +
+    (readsLimits ? 1.2 : 0.3) * data * size.Points;
+}
+
+/// An error message if the output would be too large.
+std::string CheckSize(vtkPolyData* input, const SurfaceCells& cells,
+  const SurfaceScheme<int>& scheme, const SurfaceOptions& options, const SurfaceSize& size)
+{
+  const double all = size.Faces + size.Lines + static_cast<double>(cells.VertexCells.size());
+  const std::string tooMany = CheckNumberOfCells(
+    all, all * scheme.GetFaceMemory().Ids, options.Levels, options.MaximumNumberOfCells);
+  return tooMany.empty() ? CheckMemory(all, size.Points,
+                             EstimateBytes(input, cells, scheme, options, size), options.Levels)
+                         : tooMany;
 }
 
 /// Vertices or faces with so many neighbours that k rows of k values take long.
@@ -159,19 +229,15 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
     options.Warn(warning);
   }
   WarnOfUnused(scheme, options);
-  double faces = 0.;
-  const std::string tooLarge = CheckSize(input, cells, scheme, options, faces);
+  const SurfaceSize size = CountOutput(cells, scheme, options);
+  const std::string tooLarge = CheckSize(input, cells, scheme, options, size);
   const std::string tooDense = tooLarge.empty() ? CheckDenseRows(cells, scheme, options) : tooLarge;
   if (!tooDense.empty())
   {
     options.Fail(tooDense);
     return false;
   }
-  isLarge = 16. *
-      (faces + static_cast<double>(cells.Corners.size()) +
-        static_cast<double>(cells.NumberOfPoints) +
-        std::ldexp(static_cast<double>(cells.Segments.size()), options.Levels)) >
-    static_cast<double>(LargestSmallId);
+  isLarge = size.HasLargeIds;
   return true;
 }
 
@@ -187,9 +253,7 @@ void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& option
                  "them. Flag lines and vertices instead (array index 0), or use "
                  "vtkMultiDimensionalSubdivision.");
   }
-  if (!scheme.UsesTags() &&
-    (features.Singular || features.Sharpness || features.PreserveInterfaces ||
-      features.DetectFeatures || options.Angles || options.Flatness || !features.Marks.IsEmpty()))
+  if (!scheme.UsesTags() && (HasFlags(features) || options.Angles || options.Flatness))
   {
     options.Warn(
       "This scheme is dual and has no creases and corners: the filter ignores flags, "

@@ -198,6 +198,8 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = bytesPerId;
   estimate.Projects = this->Options.ReadsLimit();
+  estimate.Frames =
+    (this->Options.GenerateLimitNormals ? 1 : 0) + (this->Options.GenerateTangents ? 2 : 0);
   const std::string tooLarge = CheckMemory(estimate);
   if (!tooLarge.empty())
   {

@@ -31,6 +31,7 @@ public:
   }
   bool NeedsTriangles() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 36., 118., 198. }; }
   double GetThirdEigenvalue(int k, double angle) const override
   {
     const double c = std::cos(Pi / k);

@@ -47,6 +47,7 @@ public:
   bool KeepsVertices() const override { return false; }
   bool HalvesEdges() const override { return false; }
   DenseRows GetDenseRows() const override { return DenseRows::OfFaces; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 42., 145., 220. }; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(4., steps - 1) : faces;

@@ -28,6 +28,7 @@ public:
   bool HalvesEdges() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
   DenseRows GetDenseRows() const override { return DenseRows::OfLimits; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 16., 66., 122., 155. }; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(2., steps - 1) : faces;

@@ -150,6 +150,19 @@ enum class DenseRows
   OfLimits    ///< both, in rows of limits alone
 };
 
+/// The memory for each face that CountFaces counts, in bytes, at most. Measured: TestEstimates.cxx
+/// sees that it is enough.
+struct FaceMemory
+{
+  double Ids;    ///< in the output, those of 8 bytes
+  double Points; ///< in the output: how many there are for each face of a closed surface
+  // At the peak, beside the output, with ids of 4 bytes:
+  double Smooth; ///< of closed surfaces without sharp edges
+  double Sharp;
+  double Limits; ///< where the points are projected
+  double Frames; ///< and with normals and tangents
+};
+
 /// Where ids are written, of either type.
 using IdsOut = std::variant<int*, long long*>;
 
@@ -231,6 +244,7 @@ public:
   }
 
   virtual DenseRows GetDenseRows() const { return DenseRows::None; }
+  virtual FaceMemory GetFaceMemory() const = 0;
 
   /// Number of vertices of the next level.
   virtual vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const = 0;

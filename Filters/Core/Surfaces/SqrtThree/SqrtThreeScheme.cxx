@@ -31,6 +31,7 @@ public:
   }
   bool NeedsTriangles() const override { return true; }
   bool HalvesEdges() const override { return false; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 8., 38., 108., 132. }; }
   double CountFaces(double faces, double /*corners*/, int steps) const override
   {
     return faces * std::pow(3., steps);

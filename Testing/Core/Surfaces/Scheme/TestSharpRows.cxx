@@ -211,6 +211,7 @@ class TagsScheme : public SurfaceScheme<int>
 {
 public:
   bool NeedsTriangles() const override { return false; }
+  FaceMemory GetFaceMemory() const override { return {}; }
   vtkIdType GetNumberOfRows(const SurfaceLevel<int>& level) const override
   {
     return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestEstimates.cxx
+ * What filters estimate before they take memory is enough, so that none is stopped by the system,
+ * and not far more than they take, so that none is refused without need.
+ */
+#include "FailingMemory.h"
+#include "FeatureTools.h"
+#include "Private/Control/MemoryEstimate.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkSphereSource.h"
+#include "vtkSurfaceSubdivision.h"
+
+#include <string>
+
+using namespace feature_tools;
+using namespace multi_dimensional_subdivision_tools;
+
+namespace
+{
+
+/// Letters: P projects, N normals, T tangents, S sharp edges, A ten arrays, C keeps operators.
+bool Has(const std::string& options, char option)
+{
+  return options.find(option) != std::string::npos;
+}
+
+template <typename Filter>
+void Set(Filter* filter, const std::string& options)
+{
+  filter->SetProjectToLimit(Has(options, 'P'));
+  filter->SetGenerateLimitNormals(Has(options, 'N'));
+  filter->SetGenerateTangents(Has(options, 'T'));
+  filter->SetDetectFeatures(Has(options, 'S'));
+  filter->SetFeatureAngle(1.);
+  filter->SetCacheOperator(Has(options, 'C'));
+}
+
+/// Keeps the bytes of "About 1234 bytes", which are forgotten at the end of the work.
+void KeepEstimate(vtkObject*, unsigned long, void* kept, void*)
+{
+  const std::string told = subdivision::TellEstimate();
+  const std::string before = "About ";
+  const std::size_t at = told.find(before);
+  if (at != std::string::npos)
+  {
+    *static_cast<double*>(kept) = std::stod(told.substr(at + before.size()));
+  }
+}
+
+/// A closed surface of triangles, or an open one of quads.
+vtkSmartPointer<vtkPolyData> MakeSurface(bool isClosed, const std::string& options)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(20, 20);
+  vtkPolyDataAlgorithm* source = isClosed ? static_cast<vtkPolyDataAlgorithm*>(sphere) : plane;
+  source->Update();
+  const auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(source->GetOutput()->GetPoints());
+  surface->SetPolys(source->GetOutput()->GetPolys());
+  for (int i = 0; i < (Has(options, 'A') ? 10 : 1); ++i)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(("Values " + std::to_string(i)).c_str());
+    values->SetNumberOfTuples(surface->GetNumberOfPoints());
+    values->Fill(1.);
+    surface->GetPointData()->AddArray(values);
+  }
+  return surface;
+}
+
+/// The estimate is at least the peak, and at most 1.6 times as much, and what lists lose at their
+/// ends.
+template <typename Filter>
+void ExpectEstimate(Filter* filter, const std::string& name)
+{
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "Sequential", false },
+    [&]
+    {
+      double estimate = 0.;
+      vtkNew<vtkCallbackCommand> keep;
+      keep->SetCallback(KeepEstimate);
+      keep->SetClientData(&estimate);
+      filter->AddObserver(vtkCommand::ProgressEvent, keep);
+      failing_memory::StartPeak();
+      filter->Update();
+      const auto peak = static_cast<double>(failing_memory::GetPeak());
+      ASSERT_GT(filter->GetOutput()->GetNumberOfCells(), 50000) << name;
+      if (peak > 0.)
+      {
+        std::cout << name << ": " << 1e-6 * peak << " MB, " << estimate / peak << " estimated\n";
+        EXPECT_GE(estimate, peak) << name;
+        EXPECT_LE(estimate, 1.6 * peak + 24e6) << name;
+      }
+    });
+}
+
+struct Scheme
+{
+  int Number;
+  int Levels;
+};
+
+/// One case for each scheme: together they take long.
+class Estimates : public testing::TestWithParam<Scheme>
+{
+};
+
+TEST_P(Estimates, Surfaces)
+{
+  for (const std::string options : { "", "C", "S", "A", "PC", "PNTA" })
+  {
+    for (const bool isClosed : { true, false })
+    {
+      vtkNew<vtkSurfaceSubdivision> filter;
+      filter->SetInputData(MakeSurface(isClosed, options));
+      filter->SetScheme(GetParam().Number);
+      filter->SetNumberOfLevels(GetParam().Levels);
+      Set(filter.Get(), options);
+      ExpectEstimate(filter.Get(), options + (isClosed ? ", closed" : ", open"));
+    }
+  }
+}
+
+const Scheme Schemes[] = { { vtkSurfaceSubdivision::LOOP, 5 },
+  { vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, 5 }, { vtkSurfaceSubdivision::CATMULL_CLARK, 5 },
+  { vtkSurfaceSubdivision::DOO_SABIN, 5 }, { vtkSurfaceSubdivision::MIDEDGE, 10 },
+  { vtkSurfaceSubdivision::FOUR_EIGHT, 9 }, { vtkSurfaceSubdivision::FOUR_EIGHT, 10 },
+  { vtkSurfaceSubdivision::SQRT_THREE, 6 }, { vtkSurfaceSubdivision::LINEAR, 5 } };
+
+std::string NameOf(const testing::TestParamInfo<Scheme>& given)
+{
+  return "Scheme" + std::to_string(given.param.Number) + "Levels" +
+    std::to_string(given.param.Levels);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, Estimates, testing::ValuesIn(Schemes), NameOf);
+
+}
+
+TEST(EstimatesOfSolids, MixedDimensions)
+{
+  for (const bool isSolid : { true, false })
+  {
+    for (const int volumeScheme :
+      { vtkMultiDimensionalSubdivision::BOX_SPLINE, vtkMultiDimensionalSubdivision::TET_OCT })
+    {
+      for (const std::string options : { "", "C", "P", "PC", "N", "PNT" })
+      {
+        vtkNew<vtkMultiDimensionalSubdivision> filter;
+        filter->SetInputDataObject(
+          isSolid ? static_cast<vtkDataObject*>(MakeKuhnBox(7)) : MakeSurface(true, options).Get());
+        filter->SetVolumeScheme(volumeScheme);
+        filter->SetNumberOfLevels(isSolid ? 3 : 5);
+        Set(filter.Get(), options);
+        ExpectEstimate(filter.Get(),
+          std::string(isSolid ? "solid " : "surface ") + std::to_string(volumeScheme) + " " +
+            options);
+      }
+    }
+  }
+}
