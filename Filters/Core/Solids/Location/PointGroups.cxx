@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Location/PointGroups.h"
 
+#include "Core/Memory/Ahead.h"
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/Location/MortonCode.h"
 
 #include <cmath>
-#include <numeric>
+#include <functional>
 
 namespace subdivision
 {
@@ -29,16 +30,22 @@ public:
       const double width = box.High[c] - box.Low[c];
       this->Scale[c] = width > 0. ? Cells / width : 0.;
     }
+    for (int i = 0; i < 3 * Cells; ++i)
+    {
+      std::uint64_t places[3] = { 0, 0, 0 };
+      places[i / Cells] = i % Cells;
+      this->Codes[i / Cells][i % Cells] = static_cast<int>(GetMortonCode(places));
+    }
   }
   int GetCode(const double x[3]) const
   {
-    std::uint64_t places[3];
+    int code = 0;
     for (int c = 0; c < 3; ++c)
     {
       const double place = (x[c] - this->Whole.Low[c]) * this->Scale[c];
-      places[c] = place > 0. ? static_cast<std::uint64_t>(std::min(place, Cells - 1.)) : 0;
+      code |= this->Codes[c][static_cast<int>(std::max(0., std::min(place, Cells - 1.)))];
     }
-    return static_cast<int>(GetMortonCode(places));
+    return code;
   }
   /// The cell with the point.
   Box GetCell(const double x[3]) const
@@ -60,60 +67,65 @@ public:
 private:
   Box Whole;
   double Scale[3];
+  int Codes[3][Cells]; ///< of the places along each axis
 };
 
 }
 
 PointGroups::PointGroups(const double* points, int size, const Box& box, int most)
-  : Order(size)
-  , Starts{ 0 }
+  : Starts{ 0 }
 {
-  std::iota(this->Order.begin(), this->Order.end(), 0);
   this->Split(points, 0, size, box, most, 0);
 }
 
+/// Sorts the points by the cells of a lattice, and closes groups.
 void PointGroups::Split(
   const double* points, int begin, int end, const Box& box, int most, int depth)
 {
   const Lattice lattice(box);
-  const int* ids = this->Order.data() + begin;
-  auto getCode = [&](int i)
-  {
-    const double* x = points + 3 * static_cast<vtkIdType>(ids[i]);
-    return depth > 0 || box.Holds(x) ? lattice.GetCode(x) : Codes;
-  };
-  Buffer<int> order;
   std::vector<int> starts;
-  SortByKey(end - begin, Codes + 1, getCode, order, starts);
-  ForEach(order.size(), [&](vtkIdType i) { order[i] = ids[order[i]]; });
-  std::copy(order.begin(), order.end(), this->Order.begin() + begin);
-  order = Buffer<int>();
-
-  int first = begin; // of the group that is being made
-  auto close = [&](int last)
+  if (depth == 0)
   {
-    if (last > first)
+    constexpr vtkIdType ahead = 64; // points
+    const auto getCode = [&](int i)
     {
-      this->Starts.push_back(last);
-    }
-    first = last;
-  };
-  for (int code = 0; code < Codes; ++code)
+      const double* x = points + 3 * static_cast<vtkIdType>(i);
+      AskFor(x, 3 * ahead);
+      return box.Holds(x) ? lattice.GetCode(x) : Codes;
+    };
+    SortByKey(end, Codes + 1, getCode, this->Order, starts);
+  }
+  else
+  {
+    const int* ids = this->Order.data() + begin;
+    const auto getCode = [&](int i)
+    { return lattice.GetCode(points + 3 * static_cast<vtkIdType>(ids[i])); };
+    Buffer<int> order;
+    SortByKey(end - begin, Codes + 1, getCode, order, starts);
+    ForEach(order.size(), [&](vtkIdType i) { order[i] = ids[order[i]]; });
+    std::copy(order.begin(), order.end(), this->Order.begin() + begin);
+  }
+  // Half of the codes of a box along the curve are half of the box.
+  const std::function<void(int, int)> close = [&](int code, int codes)
   {
     const int from = begin + starts[code];
-    const int to = begin + starts[code + 1];
-    if (to - first > most)
+    const int to = begin + starts[code + codes];
+    if (to - from > most && codes > 1)
     {
-      close(from);
+      close(code, codes / 2);
+      close(code + codes / 2, codes / 2);
     }
-    if (to - from > most && depth < MostDepth)
+    else if (to - from > most && depth < MostDepth)
     {
       const double* x = points + 3 * static_cast<vtkIdType>(this->Order[from]);
       this->Split(points, from, to, lattice.GetCell(x), most, depth + 1);
-      first = to;
     }
-  }
-  close(begin + starts[Codes]);
+    else if (to > from)
+    {
+      this->Starts.push_back(to);
+    }
+  };
+  close(0, Codes);
 }
 
 }

@@ -37,23 +37,7 @@ bool TetFrame::IsFlat(double least) const
 
 std::array<double, 4> TetFrame::GetWeights(const double x[3]) const
 {
-  Vector rest = Subtract(x, this->First);
-  double found[3] = { 0., 0., 0. };
-  for (int round = 0; round < 2; ++round) // the second takes away what rounding left, in thin cells
-  {
-    Vector left = rest;
-    for (int i = 0; i < 3; ++i)
-    {
-      const double step = Dot(rest, this->Normals[i]) / this->Volume;
-      found[i] += step;
-      for (int c = 0; c < 3; ++c)
-      {
-        left[c] -= step * this->Edges[i][c];
-      }
-    }
-    rest = left;
-  }
-  return CompleteWeights(found);
+  return CompleteWeights(this->FindWeights(Subtract(x, this->First)).data());
 }
 
 bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4])

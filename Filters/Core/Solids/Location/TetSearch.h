@@ -4,9 +4,10 @@
  * Which tetrahedra hold given points: a search for many points at once.
  *
  * Points are sorted into groups that lie close together, and those of a group into bins. Each group
- * takes the tetrahedra near it, one after the other, and compares each with all points in its bins:
- * the frame of a tetrahedron is made once for all of them, and rows of bins are consecutive points,
- * of which processors test several at a time. Tetrahedra need no sorting: runs of consecutive ones
+ * takes the tetrahedra near it, one after the other, and compares each with all points in bins that
+ * it meets: the frame of a tetrahedron is made once for all of them, and rows of bins are
+ * consecutive points, of which processors test several at a time, in single precision. Weights are
+ * computed of those few that may be inside. Tetrahedra need no sorting: runs of consecutive ones
  * have boxes, because the children of a cell are consecutive.
  */
 #ifndef SubdivisionObjects_TetSearch_h
@@ -45,8 +46,6 @@ public:
 
 private:
   struct Group;
-  void GetCorners(int tet, const double* corners[4]) const;
-  Box GetBox(int tet) const;
   void Visit(std::size_t level, int node, Group& group) const;
   void FindInTet(int tet, Group& group) const;
 

@@ -224,6 +224,87 @@ TEST(CoreTetSearch, PointsInClustersLinesAndPlanes)
   }
 }
 
+TEST(CoreTetSearch, ManyPointsInEachTetrahedronAnywhere)
+{
+  // What is left out in rows of bins and in single precision, near zero and far from it, in meshes
+  // that are small, large, or far longer than wide.
+  const double shifts[][3] = { { 0., 0., 0. }, { 1e6, -1e3, 3. }, { -1e9, 0., 1e-3 } };
+  const double scales[][3] = { { 1., 1., 1. }, { 1e-100, 1e-100, 1e-100 }, { 1e90, 1e90, 1e90 },
+    { 1e4, 1., 1e-4 } };
+  for (const auto& shift : shifts)
+  {
+    for (const auto& scale : scales)
+    {
+      Mesh mesh = MakeLattice(3, 0.3);
+      Points points = MakeRandomPoints(6000, 0.45, 11);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        for (int c = 0; c < 3; ++c) // on planes of the lattice, too
+        {
+          points[i][c] =
+            i % 7 == 0 ? std::round(6. * (points[i][c] + 0.5)) / 6. : points[i][c] + 0.5;
+        }
+      }
+      for (Points* list : { &mesh.Corners, &points })
+      {
+        for (auto& x : *list)
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            x[c] = scale[c] * (x[c] + (scale[c] == 1. ? shift[c] : 0.));
+          }
+        }
+      }
+      EXPECT_GT(Compare(mesh, points, { 1e-10, 1e-5 }), 5000) << shift[0] << " " << scale[0];
+    }
+  }
+}
+
+TEST(CoreTetSearch, PointsNextToZero)
+{
+  // Of distances that have no inverse.
+  Mesh mesh = MakeLattice(2, 0.);
+  for (auto& corner : mesh.Corners)
+  {
+    for (double& x : corner)
+    {
+      x -= 0.5;
+    }
+  }
+  Points points = MakeRandomPoints(3000, 1., 12);
+  for (auto& point : points)
+  {
+    for (double& x : point)
+    {
+      x *= 1e-310;
+    }
+  }
+  EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 3000);
+}
+
+TEST(CoreTetSearch, PointsInTheBoxOfAFarCell)
+{
+  // A flat cell makes the box so wide that halves of it have no square.
+  Mesh mesh = MakeLattice(2, 0.);
+  Points points = MakeRandomPoints(900, 0.4, 13);
+  for (auto& point : points)
+  {
+    for (double& x : point)
+    {
+      x += 0.5;
+    }
+  }
+  for (double far : { 1e200, 1e304, 1.7e308 })
+  {
+    const auto first = static_cast<int>(mesh.Corners.size());
+    mesh.Corners.insert(mesh.Corners.end(), { { far, far, far }, { -far, -far, -far } });
+    mesh.Tets.push_back({ first, first + 1, first, first + 1 });
+    points.push_back({ 0.9 * far, -0.9 * far, 0. });
+    points.push_back({ -0.9 * far, 0.5, 0.9 * far });
+    EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 900) << far;
+  }
+}
+
 TEST(CoreTetSearch, FlatCellsAndNoCells)
 {
   const Points points = { { 0.3, 0.2, 0. }, { 0., 0., 0. } };
@@ -232,6 +313,30 @@ TEST(CoreTetSearch, FlatCellsAndNoCells)
   const Mesh flat = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
     { { 0, 1, 2, 3 }, { 0, 0, 0, 0 } } };
   EXPECT_EQ(Compare(flat, points, { 1e-10, 1e-10 }), 0);
+}
+
+TEST(CorePointGroups, FillTheirBoxes)
+{
+  // Groups of points that lie evenly are halves, quarters, ... of the box: all of the boxes
+  // together are not larger, and no group is small.
+  const Points points = MakeRandomPoints(100000, 1., 9);
+  Box box;
+  box.Add(std::array<double, 3>{ -1., -1., -1. }.data());
+  box.Add(std::array<double, 3>{ 1., 1., 1. }.data());
+  const PointGroups groups(points[0].data(), static_cast<int>(points.size()), box, 1000);
+  double volume = 0.;
+  for (int g = 0; g < groups.GetNumberOfGroups(); ++g)
+  {
+    Box ofGroup;
+    for (int i = groups.Starts[g]; i < groups.Starts[g + 1]; ++i)
+    {
+      ofGroup.Add(points[static_cast<std::size_t>(groups.Order[i])].data());
+    }
+    volume += (ofGroup.High[0] - ofGroup.Low[0]) * (ofGroup.High[1] - ofGroup.Low[1]) *
+      (ofGroup.High[2] - ofGroup.Low[2]);
+  }
+  EXPECT_LT(volume, 8.);
+  EXPECT_LE(groups.GetNumberOfGroups(), 300);
 }
 
 TEST(CorePointGroups, HaveEachPointInTheBoxOnce)
