@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/CornerRows.h"
 
+#include "Core/Memory/Ahead.h"
 #include "Core/Memory/Store.h"
 #include "Core/Operators/ForBlocks.h"
 
@@ -48,6 +49,7 @@ void MovePoint(const double* weights, const int* columns, const double* points, 
 template <typename Out>
 void CornerRows::Move(vtkIdType begin, vtkIdType end, const double* points, Out* moved) const
 {
+  constexpr vtkIdType ahead = 400; // weights
   for (vtkIdType i = begin; i < end; ++i)
   {
     const int simplex = this->Simplices[i];
@@ -57,6 +59,7 @@ void CornerRows::Move(vtkIdType begin, vtkIdType end, const double* points, Out*
       MovePoint(row.Weights, row.Columns, points, moved + 3 * i);
       continue;
     }
+    AskFor(this->Weights.data(), 3 * i + ahead);
     MovePoint(CompleteWeights(this->Weights.data() + 3 * i).data(),
       this->Corners + 4 * static_cast<vtkIdType>(simplex), points, moved + 3 * i);
   }

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Fingerprint_h
 #define SubdivisionObjects_Fingerprint_h
 
+#include "Core/Memory/Ahead.h"
 #include "Core/Memory/Loops.h"
 
 #include "vtkDataArray.h"
@@ -69,10 +70,15 @@ template <typename Meanwhile>
 FingerprintHashes ComputeHashes(
   const char* values, vtkIdType begin, vtkIdType end, const Meanwhile& meanwhile)
 {
+  constexpr vtkIdType ahead = 8 * FingerprintHashes::Stretch; // words
   FingerprintHashes hashes;
   vtkIdType word = begin;
   for (; word + FingerprintHashes::Stretch <= end; word += FingerprintHashes::Stretch)
   {
+    for (vtkIdType line = 0; line < FingerprintHashes::Stretch; line += 8)
+    {
+      AskFor(values, 8 * (word + ahead + line));
+    }
     hashes.AddStretch(values + 8 * word);
     meanwhile(word, word + FingerprintHashes::Stretch);
   }
