@@ -126,6 +126,7 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->Work->AwaitOutputs(); // the pipeline forgets them before it calls RequestData
   for (int port = 1; port < 3; ++port)
   {
     vtkInformation* info = inputVector[port]->GetInformationObject(0);
@@ -148,6 +149,11 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
 int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const struct Release
+  {
+    subdivision::Deformation& Work;
+    ~Release() { this->Work.ReleaseOutputs(); }
+  } release{ *this->Work };
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);

@@ -111,7 +111,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   // Most often the points are known, and are moved while that is found out.
   EmbeddedPoints* embedded = this->GuessEmbedded(given, options);
   const double* moved = embedded ? this->Rest.MovePoints(control) : nullptr;
-  auto result = embedded ? MoveIfEmbedded(*embedded, moved, type, given) : nullptr;
+  auto result = embedded ? MoveIfEmbedded(*embedded, moved, type, given, this->Outputs) : nullptr;
   if (result)
   {
     this->Use(*embedded);
@@ -133,8 +133,8 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   }
   if (!result)
   {
-    result = MoveEmbeddedPoints(
-      *embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved, type);
+    result = MoveEmbeddedPoints(*embedded, static_cast<const double*>(control->GetVoidPointer(0)),
+      moved, type, this->Outputs);
   }
   CopyLooks(points, result);
   vtkNew<vtkPoints> outputPoints;
