@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The limits from which RedGreenErrors measures: those over control simplices in curves and sheets
-// by polynomials, next to joints by rows of equal neighbourhoods, all others by LocalLimit.
+// by polynomials, those that depend on joints by values on a lattice or, in the tet/oct scheme,
+// next to joints by rows of equal neighbourhoods, and all others by LocalLimit.
 #include "Private/RedGreen/RedGreenErrors.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Solids/Limits/LatticeParts.h"
 #include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Limits/SheetLimits.h"
 #include "Core/Solids/Location/CurveOrder.h"
@@ -142,7 +144,18 @@ void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
   if (this->Limit.GetCreases().Stages.empty()) // edges that are sharp for some steps are no curves
   {
     this->FindLimitsInPatches(control);
-    this->FindLimitsInSheets(state, control);
+    this->Limit.WithControl(
+      [&](const auto& level)
+      {
+        if constexpr (std::is_same<std::decay_t<decltype(level)>, Level<Id>>::value)
+        {
+          this->FindLimitsOnLattice(level, control.data());
+        }
+        else
+        {
+          this->FindLimitsInSheets(level, state, control);
+        }
+      });
   }
   this->FindOtherLimits(state, control);
 }
@@ -151,24 +164,14 @@ void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
 template <typename Id>
 void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
 {
-  // The corners and sites on each simplex, corners first.
-  const auto corners = static_cast<vtkIdType>(this->Corners.size());
-  const auto all = corners + static_cast<vtkIdType>(this->Sites.size());
-  const auto getSimplex = [&](vtkIdType i)
-  {
-    if (i < corners)
-    {
-      return this->Places[this->Corners[i]].Simplex;
-    }
-    const Site& site = this->Sites[i - corners];
-    return site.GetSize() < 4 ? site.Curved : Id(-1);
-  };
+  // The corners and sites on each simplex.
+  const auto all = static_cast<vtkIdType>(this->Corners.size() + this->Sites.size());
   subdivision::Rows<Id> on;
   on.Offsets = Buffer<Id>(static_cast<vtkIdType>(this->Curved.size()) + 1, 0);
   ForEachInTurn(all,
     [&](vtkIdType i)
     {
-      const Id simplex = getSimplex(i);
+      const Id simplex = this->GetSimplexOf(i);
       simplex < 0 ? void() : void(++on.Offsets[simplex]);
     });
   CountsToOffsets(on.Offsets);
@@ -178,7 +181,7 @@ void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
   ForEachInTurn(all,
     [&](vtkIdType i)
     {
-      const Id simplex = getSimplex(i);
+      const Id simplex = this->GetSimplexOf(i);
       simplex < 0 ? void() : void(on.Items[next[simplex]++] = static_cast<Id>(i));
     });
   this->Limit.WithControl(
@@ -201,58 +204,117 @@ void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
             }
             else if (items.size() > 0 && limits.Start(simplex, tree))
             {
-              this->FindLimitsOn(simplex, items, tree);
+              for (const Id item : items)
+              {
+                this->ForPlacesOf(item, simplex,
+                  [&tree](const std::array<double, 3>& at, double* limit)
+                  { tree.Find(at, limit); });
+              }
+            }
+            else if (items.size() > 0)
+            {
+              this->FindLimitsInParts(level, simplex, items, control.data(), tree);
             }
           }
         });
     });
 }
 
+/// The same over a simplex that touches a joint, as far as large parts of it do not.
 template <typename Id>
-void RedGreenErrors<Id>::FindLimitsOn(
-  const PatchSimplex<Id>& simplex, const Row<Id>& items, PatchTree& tree)
+template <typename LevelType>
+void RedGreenErrors<Id>::FindLimitsInParts([[maybe_unused]] const LevelType& level,
+  [[maybe_unused]] const PatchSimplex<Id>& simplex, [[maybe_unused]] const Row<Id>& items,
+  [[maybe_unused]] const double* control, [[maybe_unused]] PatchTree& tree)
+{
+  if constexpr (std::is_same<LevelType, Level<Id>>::value)
+  {
+    LatticeParts<Id> parts(level, this->GetLatticeOfThread(level), control, this->Components);
+    if (parts.Start(simplex))
+    {
+      for (const Id item : items)
+      {
+        this->ForPlacesOf(item, simplex,
+          [&parts](const std::array<double, 3>& at, double* limit) { parts.Add(at, limit); });
+      }
+      parts.Run(tree);
+    }
+  }
+}
+
+template <typename Id>
+LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const Level<Id>& level)
+{
+  std::shared_ptr<LatticeValues<Id>>& values = this->OnLattice.Local();
+  if (!values)
+  {
+    values = std::make_shared<LatticeValues<Id>>(level, this->Components);
+  }
+  if (values->GetSize() > MostOnLattice)
+  {
+    values->Clear();
+  }
+  return *values;
+}
+
+/// The number of the control simplex on which a corner or, by the numbers that follow, a site lies;
+/// -1: inside a solid.
+template <typename Id>
+Id RedGreenErrors<Id>::GetSimplexOf(vtkIdType item) const
 {
   const auto corners = static_cast<vtkIdType>(this->Corners.size());
-  for (const Id item : items)
+  if (item < corners)
   {
-    if (item < corners)
+    return this->Places[this->Corners[item]].Simplex;
+  }
+  const Site& site = this->Sites[item - corners];
+  return site.GetSize() < 4 ? site.Curved : Id(-1);
+}
+
+/// act(weights of the corners of the simplex, where the limit belongs) for a corner, or for each
+/// place of a site that samples ask for.
+template <typename Id>
+template <typename Act>
+void RedGreenErrors<Id>::ForPlacesOf(
+  vtkIdType item, const PatchSimplex<Id>& simplex, const Act& act)
+{
+  const auto corners = static_cast<vtkIdType>(this->Corners.size());
+  if (item < corners)
+  {
+    act(
+      this->Places[this->Corners[item]].Weights, this->AtVertices.data() + this->Components * item);
+    return;
+  }
+  const Site& site = this->Sites[item - corners];
+  const int size = site.GetSize();
+  std::array<std::array<double, 3>, 3> at{};
+  for (int k = 0; k < size; ++k)
+  {
+    at[k] = this->GetWeights(site.Corners[k], simplex);
+  }
+  for (int place = 0; place < PlacesOfSite; ++place)
+  {
+    if ((site.Used & 1 << place) == 0)
     {
-      tree.Find(this->Places[this->Corners[item]].Weights,
-        this->AtVertices.data() + this->Components * vtkIdType(item));
       continue;
     }
-    const Site& site = this->Sites[item - corners];
-    const int size = site.GetSize();
-    std::array<std::array<double, 3>, 3> at{};
-    for (int k = 0; k < size; ++k)
+    // In an edge at a quarter, a half and three quarters, in a face near one of the corners.
+    std::array<double, 3> weights;
+    for (int i = 0; i < 3; ++i)
     {
-      at[k] = this->GetWeights(site.Corners[k], simplex);
+      weights[i] = size == 2
+        ? 0.25 * ((3 - place) * at[0][i] + (1 + place) * at[1][i])
+        : 0.5 * at[place][i] + 0.25 * (at[(place + 1) % 3][i] + at[(place + 2) % 3][i]);
     }
-    for (int place = 0; place < PlacesOfSite; ++place)
-    {
-      if ((site.Used & 1 << place) == 0)
-      {
-        continue;
-      }
-      // In an edge at a quarter, a half and three quarters, in a face near one of the corners.
-      std::array<double, 3> weights;
-      for (int i = 0; i < 3; ++i)
-      {
-        weights[i] = size == 2
-          ? 0.25 * ((3 - place) * at[0][i] + (1 + place) * at[1][i])
-          : 0.5 * at[place][i] + 0.25 * (at[(place + 1) % 3][i] + at[(place + 2) % 3][i]);
-      }
-      tree.Find(weights,
-        this->AtSites.data() +
-          this->Components * (PlacesOfSite * vtkIdType(item - corners) + place));
-    }
+    act(
+      weights, this->AtSites.data() + this->Components * (PlacesOfSite * (item - corners) + place));
   }
 }
 
 /// Finds the limits that depend on curves and sheets of finer levels alone.
 template <typename Id>
 void RedGreenErrors<Id>::FindLimitsInSheets(
-  const RedGreen<Id>& state, const Buffer<double>& control)
+  const TetOctLevel<Id>& level, const RedGreen<Id>& state, const Buffer<double>& control)
 {
   Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
   const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
@@ -294,22 +356,67 @@ void RedGreenErrors<Id>::FindLimitsInSheets(
   {
     wanted[numbering.Numbers[this->Corners[corner]]] = 1;
   }
-  this->Limit.WithControl(
-    [&](const auto& level)
+  const SheetLimits<Id> limits(
+    level, numbering.Midpoints, wanted, sites, control.data(), this->Components, &this->Rows);
+  const vtkIdType size = this->Components;
+  for (const Id corner : corners)
+  {
+    std::copy_n(limits.OfVertices.data() + size * numbering.Numbers[this->Corners[corner]], size,
+      this->AtVertices.data() + size * vtkIdType(corner));
+  }
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    std::copy_n(limits.OfSites.data() + PlacesOfSite * size * static_cast<vtkIdType>(i),
+      PlacesOfSite * size, this->AtSites.data() + PlacesOfSite * size * own[i]);
+  }
+}
+
+/// Finds the limits on curves and surfaces that are not known yet, by the box-spline scheme.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitsOnLattice(const Level<Id>& level, const double* control)
+{
+  ForRanges(static_cast<vtkIdType>(this->Corners.size() + this->Sites.size()),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const SheetLimits<Id> limits(
-        level, numbering.Midpoints, wanted, sites, control.data(), this->Components, &this->Rows);
-      const vtkIdType size = this->Components;
-      for (const Id corner : corners)
+      const auto corners = static_cast<vtkIdType>(this->Corners.size());
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        std::copy_n(limits.OfVertices.data() + size * numbering.Numbers[this->Corners[corner]],
-          size, this->AtVertices.data() + size * vtkIdType(corner));
+        const bool isKnown = i < corners ? this->IsKnown(this->AtVertices, i)
+                                         : this->IsKnown(static_cast<Id>(i - corners));
+        const Id simplex = isKnown ? Id(-1) : this->GetSimplexOf(i);
+        if (simplex >= 0)
+        {
+          this->FindLimitOnLattice(
+            i, simplex, level.Complex, control, this->GetLatticeOfThread(level));
+        }
       }
-      for (std::size_t i = 0; i < own.size(); ++i)
+    });
+}
+
+/// The same of one corner or site.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitOnLattice(vtkIdType item, Id number,
+  const SimplicialComplex<Id>& complex, const double* control, LatticeValues<Id>& values)
+{
+  const PatchSimplex<Id>& simplex = this->Curved[number];
+  const int dimension = simplex.Corners[1] < 0 ? 0 : simplex.Corners[2] < 0 ? 1 : 2;
+  const Id* corners = dimension == 0 ? simplex.Corners.data()
+    : dimension == 1                 ? complex.EdgeVertices.data() + 2 * vtkIdType(simplex.Number)
+                                     : complex.FaceVertices.data() + 3 * vtkIdType(simplex.Number);
+  this->ForPlacesOf(item, simplex,
+    [&](const std::array<double, 3>& at, double* limit)
+    {
+      if (!std::isnan(*limit))
       {
-        std::copy_n(limits.OfSites.data() + PlacesOfSite * size * static_cast<vtkIdType>(i),
-          PlacesOfSite * size, this->AtSites.data() + PlacesOfSite * size * own[i]);
+        return;
       }
+      std::array<double, 3> ordered{};
+      for (int k = 0; k <= dimension; ++k)
+      {
+        const Id* sorted = std::find(simplex.Corners.begin(), simplex.Corners.end(), corners[k]);
+        ordered[k] = at[sorted - simplex.Corners.begin()];
+      }
+      values.FindLimit(dimension, simplex.Number, ordered, control, limit);
     });
 }
 

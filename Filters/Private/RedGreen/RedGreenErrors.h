@@ -9,14 +9,18 @@
 
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/PairTable.h"
+#include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Limits/SheetLimits.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RefinementMarks.h"
 
+#include "vtkSMPThreadLocal.h"
+
 #include <array>
 #include <deque>
+#include <memory>
 #include <vector>
 
 namespace subdivision
@@ -70,6 +74,7 @@ private:
     int GetSize() const { return this->Corners[2] < 0 ? 2 : this->Corners[3] < 0 ? 3 : 4; }
   };
   static constexpr int PlacesOfSite = 3;
+  static constexpr std::size_t MostOnLattice = 1 << 18; ///< bounds what is kept of it
   /// A place on the limit at which the error is measured, and the edge or triangle that stands for
   /// it.
   struct Sample
@@ -145,8 +150,18 @@ private:
 
   void FindLimits(const RedGreen<Id>& state);
   void FindLimitsInPatches(const Buffer<double>& control);
-  void FindLimitsOn(const PatchSimplex<Id>& simplex, const Row<Id>& items, PatchTree& tree);
-  void FindLimitsInSheets(const RedGreen<Id>& state, const Buffer<double>& control);
+  template <typename LevelType>
+  void FindLimitsInParts(const LevelType& level, const PatchSimplex<Id>& simplex,
+    const Row<Id>& items, const double* control, PatchTree& tree);
+  LatticeValues<Id>& GetLatticeOfThread(const Level<Id>& level);
+  Id GetSimplexOf(vtkIdType item) const;
+  template <typename Act>
+  void ForPlacesOf(vtkIdType item, const PatchSimplex<Id>& simplex, const Act& act);
+  void FindLimitsInSheets(
+    const TetOctLevel<Id>& level, const RedGreen<Id>& state, const Buffer<double>& control);
+  void FindLimitsOnLattice(const Level<Id>& level, const double* control);
+  void FindLimitOnLattice(vtkIdType item, Id number, const SimplicialComplex<Id>& complex,
+    const double* control, LatticeValues<Id>& values);
   void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
   std::vector<Unknown> FindUnknown() const;
   void FindLimitsOf(
@@ -179,6 +194,7 @@ private:
   std::vector<PatchSimplex<Id>> Curved;
   Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
   KnownSheetRows Rows;
+  vtkSMPThreadLocal<std::shared_ptr<LatticeValues<Id>>> OnLattice; ///< from round to round
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;
   std::vector<PlaceOfVertex> Places;

@@ -177,7 +177,7 @@ bool BoxSplineLattice<Id>::ForRingOfVertex(const LatticeVertex<Id>& vertex, cons
     return true;
   }
   const Row<Id> edges = this->Strata.VertexRings.GetCarriers(vertex.Simplex);
-  if (rule == Rule::Blend ||
+  if (this->IsUnknown(rule) ||
     std::any_of(edges.begin(), edges.end(), [](Id edge) { return edge < 0; }))
   {
     return false;
@@ -199,15 +199,20 @@ bool BoxSplineLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const 
   const Id edge = vertex.Simplex;
   const Rule rule = this->GetRule(vertex);
   const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(edge);
-  if (rule == Rule::Blend || (rule == Rule::Surface && faces.size() != 2))
+  if (this->IsUnknown(rule) || (rule == Rule::Surface && faces.size() != 2))
   {
     return false;
   }
   act(1, edge, vertex.Weights, Move(vertex.Weights, 0, 1));
   act(1, edge, vertex.Weights, Move(vertex.Weights, 1, 0));
   const Id* ends = this->GetCorners(1, edge);
+  const bool goesInside = rule == Rule::Solid || rule == Rule::Blend;
   for (const Id face : rule == Rule::Curve ? Row<Id>{ nullptr, nullptr } : faces)
   {
+    if (face < 0 && rule == Rule::Blend) // a member for the first step only
+    {
+      continue;
+    }
     if (face < 0)
     {
       return false;
@@ -218,8 +223,7 @@ bool BoxSplineLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const 
     {
       i != third ? act(2, face, own, Move(own, i, third)) : void();
     }
-    for (const Id tet :
-      rule == Rule::Solid ? this->Complex.FaceTets[face] : Row<Id>{ nullptr, nullptr })
+    for (const Id tet : goesInside ? this->Complex.FaceTets[face] : Row<Id>{ nullptr, nullptr })
     {
       const int number = this->Complex.EdgeInTet(tet, edge);
       const int* others = tetrahedron::EdgeVertices[tetrahedron::OppositeEdge(number)];
@@ -242,7 +246,7 @@ bool BoxSplineLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const 
   const Id face = vertex.Simplex;
   const Rule rule = this->GetRule(vertex);
   const Row<Id> tets = this->Complex.FaceTets[face];
-  if (rule != Rule::Surface && (rule != Rule::Solid || tets.size() != 2))
+  if (!this->IsFaceKnown(rule, tets.size()))
   {
     return false;
   }
@@ -251,7 +255,7 @@ bool BoxSplineLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const 
     act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 1) % 3));
     act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 2) % 3));
   }
-  for (const Id tet : rule == Rule::Solid ? tets : Row<Id>{ nullptr, nullptr })
+  for (const Id tet : rule == Rule::Surface ? Row<Id>{ nullptr, nullptr } : tets)
   {
     const int apex = this->Complex.FaceInTet(tet, face);
     const LatticeWeights own =
@@ -407,12 +411,20 @@ bool BoxSplineLattice<Id>::AddRingOfEdge(
   {
     return true;
   }
-  if (rule == Rule::Blend || (rule == Rule::Surface && faces.size() != 2))
+  if (this->IsUnknown(rule) || (rule == Rule::Surface && faces.size() != 2))
   {
     return false;
   }
-  for (const Id face : faces)
+  const Row<Id> members = this->Strata.EdgeRings.GetMembers(vertex.Simplex);
+  const bool isFirst = base[0] + base[1] == 0;
+  for (const Id& face : faces)
   {
+    if (face < 0 && rule == Rule::Blend)
+    {
+      isFirst ? row.Add({ 0, members.begin()[&face - faces.begin()], { { 1, 0, 0, 0 } } }, 0.)
+              : void();
+      continue;
+    }
     if (face < 0)
     {
       return false;
@@ -431,7 +443,7 @@ bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
 {
   const Id face = vertex.Simplex;
   const Row<Id> tets = this->Complex.FaceTets[face];
-  if (rule != Rule::Surface && (rule != Rule::Solid || tets.size() != 2))
+  if (!this->IsFaceKnown(rule, tets.size()))
   {
     return false;
   }
@@ -450,7 +462,8 @@ bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
   {
     return true;
   }
-  rule = Rule::RegularEdge; // unless a tetrahedron marks another edge of the face
+  const bool isBlend = rule == Rule::Blend;
+  rule = isBlend ? rule : Rule::RegularEdge; // unless a tetrahedron marks another edge of the face
   for (const Id tet : tets)
   {
     const int apex = this->Complex.FaceInTet(tet, face);
@@ -460,7 +473,7 @@ bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
     const int third = this->Complex.VertexInTet(tet, corners[even]);
     if (third != beside)
     {
-      rule = Rule::Solid;
+      rule = isBlend ? rule : Rule::Solid;
       LatticeWeights member = With(With(inTet, beside), apex);
       --member[third];
       row.Add(this->Find(3, tet, member), 0.);
@@ -545,8 +558,13 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
   {
     return false; // its limit is not that of others on the edge
   }
-  const std::vector<double>* weights = this->Limits.Find(
-    vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+  static const std::vector<double> ofSurfaces{ 1. / 2., 1. / 12., 1. / 12., 1. / 12., 1. / 12.,
+    1. / 12., 1. / 12. };
+  const std::vector<double>* weights =
+    this->IsBlendWanted && vertex.Dimension > 0 && this->GetRule(vertex) == Rule::Surface
+    ? &ofSurfaces
+    : this->Limits.Find(
+        vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
   if (!weights)
   {
     return false;

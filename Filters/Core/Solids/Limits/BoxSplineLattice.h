@@ -96,10 +96,11 @@ template <typename Id>
 SharpSimplices<Id> FindSharpSimplices(
   const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases);
 
-/// It has the rules of vertices, edges and faces with d = 0 to 3. Methods that return false have
-/// met another one, Blend or a joint that is sharp, or the limit of a neighbour of a control vertex
-/// where rules depend on the sector (SectorEdges.h), or something semi-sharp. Threads have one
-/// each.
+/// It has the rules of vertices, edges and faces with d = 0 to 3, and Blend if that is wanted.
+/// Methods that return false have met another one, such as a joint that is sharp, or the limit of a
+/// neighbour of a control vertex where rules depend on the sector (SectorEdges.h), or something
+/// semi-sharp. Limits at vertices of the control level itself are not known at joints with Blend,
+/// whose first step differs. Threads have one each.
 template <typename Id>
 class BoxSplineLattice
 {
@@ -107,12 +108,14 @@ public:
   using LevelRow = LatticeRow<Id>;
 
   /// `level` was made with Depth::ForRefinement, or is the control level. Both must outlive this.
-  /// Of another scheme than the box spline, what it has with d < 3.
+  /// Of another scheme than the box spline, what it has with d < 3, and never Blend.
   template <typename LevelType>
-  BoxSplineLattice(const LevelType& level, const SharpSimplices<Id>& sharp)
+  BoxSplineLattice(
+    const LevelType& level, const SharpSimplices<Id>& sharp, bool isBlendWanted = false)
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Sharp(sharp)
+    , IsBlendWanted(isBlendWanted)
   {
   }
 
@@ -138,6 +141,12 @@ public:
 private:
   LatticeWeights Lift(const Id* from, int corners, const LatticeWeights& weights, const Id* to,
     int cornersThere) const;
+  bool IsUnknown(Rule rule) const { return rule == Rule::Blend && !this->IsBlendWanted; }
+  bool IsFaceKnown(Rule rule, vtkIdType tets) const
+  {
+    return rule == Rule::Surface || (rule == Rule::Solid && tets == 2) ||
+      (rule == Rule::Blend && this->IsBlendWanted);
+  }
   template <typename Act>
   bool ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
   template <typename Act>
@@ -163,6 +172,7 @@ private:
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   const SharpSimplices<Id>& Sharp;
+  const bool IsBlendWanted;
   LatticeLimits<Id> Limits;
 };
 

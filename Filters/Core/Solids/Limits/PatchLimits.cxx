@@ -9,17 +9,11 @@ namespace subdivision
 {
 
 template <typename LevelType>
-bool PatchLimits<LevelType>::IsBefore(Id a, Id b) const
-{
-  return std::lexicographical_compare(
-    this->At(a), this->At(a) + this->Components, this->At(b), this->At(b) + this->Components);
-}
-
-template <typename LevelType>
 bool PatchLimits<LevelType>::Start(const PatchSimplex<Id>& simplex, PatchTree& tree) const
 {
   const int size = simplex.Corners[2] < 0 ? 2 : 3;
-  const auto isBefore = [this](Id a, Id b) { return this->IsBefore(a, b); };
+  const auto isBefore = [this](Id a, Id b)
+  { return AreValuesBefore(this->Values, this->Components, a, b); };
   const std::array<int, 3> order = SortCorners(
     size, [&](int a, int b) { return isBefore(simplex.Corners[a], simplex.Corners[b]); });
   std::array<Id, 3> corners{ { -1, -1, -1 } };

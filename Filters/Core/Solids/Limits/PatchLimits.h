@@ -45,8 +45,6 @@ public:
   bool FindAtVertex(Id vertex, SheetRows& rows, double* limit) const;
 
 private:
-  /// Orders by values, whichever order corners and cells have.
-  bool IsBefore(Id a, Id b) const;
   const double* At(Id vertex) const { return this->Values + vtkIdType(this->Components) * vertex; }
 
   const Buffer<unsigned char> None;

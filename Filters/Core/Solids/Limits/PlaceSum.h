@@ -10,6 +10,7 @@
 #include "Core/Memory/UnevenRanges.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/SolidPlaces.h"
+#include "Core/Solids/Limits/VertexNumbers.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -33,60 +34,29 @@ constexpr int MostSplits = 52;
 /// Weighted sums over vertices of a level, each of which it has once. `Weights`: an array, one
 /// weight for each of the sums.
 template <typename Vertex, typename Weights>
-class VertexSum
+class VertexSum : public VertexNumbers<Vertex>
 {
 public:
   void Clear()
   {
-    this->Vertices.clear();
+    VertexNumbers<Vertex>::Clear();
     this->OfVertices.clear();
-    this->Slots.assign(this->Slots.size(), -1);
   }
   void Add(const Vertex& vertex, double factor, const Weights& weights)
   {
-    if (2 * (this->Vertices.size() + 1) > this->Slots.size())
+    const std::size_t number = this->GetNumber(vertex);
+    if (number == this->OfVertices.size())
     {
-      this->Grow();
-    }
-    int& slot = this->Locate(vertex);
-    if (slot < 0)
-    {
-      slot = static_cast<int>(this->Vertices.size());
-      this->Vertices.push_back(vertex);
       this->OfVertices.push_back(Weights{});
     }
-    Weights& sum = this->OfVertices[static_cast<std::size_t>(slot)];
+    Weights& sum = this->OfVertices[number];
     for (std::size_t p = 0; p < sum.size(); ++p)
     {
       sum[p] += factor * weights[p];
     }
   }
 
-  std::vector<Vertex> Vertices;
   std::vector<Weights> OfVertices;
-
-private:
-  int& Locate(const Vertex& vertex)
-  {
-    for (std::uint64_t hash = vertex.GetHash();; ++hash)
-    {
-      int& slot = this->Slots[hash & (this->Slots.size() - 1)];
-      if (slot < 0 || this->Vertices[static_cast<std::size_t>(slot)] == vertex)
-      {
-        return slot;
-      }
-    }
-  }
-  void Grow()
-  {
-    this->Slots.assign(2 * this->Slots.size(), -1);
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-    {
-      this->Locate(this->Vertices[i]) = static_cast<int>(i);
-    }
-  }
-
-  std::vector<int> Slots = std::vector<int>(256, -1); ///< a power of two
 };
 
 /// A place as weighted sums over vertices of a level, which go back from level to level. The first

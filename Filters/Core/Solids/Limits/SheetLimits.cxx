@@ -49,14 +49,9 @@ private:
     SheetRows& Rows;
     SheetPatch<Id> Patch;
   };
-  /// Whether the values at one vertex come before those at another. Where a place has several
-  /// patches, this chooses one that does not depend on the order of cells.
   bool IsBefore(Id a, Id b) const
   {
-    const double* of = this->Values.data();
-    const vtkIdType size = this->Components;
-    return std::lexicographical_compare(
-      of + size * a, of + size * (a + 1), of + size * b, of + size * (b + 1));
+    return AreValuesBefore(this->Values.data(), this->Components, a, b);
   }
 
   void GoOn(LevelType& part, const Restriction<LevelType>& restriction);

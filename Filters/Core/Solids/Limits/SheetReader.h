@@ -27,6 +27,15 @@ struct SheetPatch
   std::vector<Id> Columns;
 };
 
+/// Whether the values at one vertex come before those at another. Where there are several patches,
+/// or orders of corners, this chooses one whichever order cells have.
+inline bool AreValuesBefore(const double* values, vtkIdType components, vtkIdType a, vtkIdType b)
+{
+  const double* of = values + components * a;
+  const double* other = values + components * b;
+  return std::lexicographical_compare(of, of + components, other, other + components);
+}
+
 /// The places of two or three corners, sorted by isBefore(place, place). A loop of its own: g++ 14
 /// takes std::sort of an array of three for one that reads beyond it.
 template <typename IsBefore>

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Limits over edges and faces of a level by trees of patches, against LocalLimit.
+// Limits over edges and faces of a level by trees of patches, and by values on a lattice, against
+// LocalLimit.
 #include "LimitTools.h"
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
+#include "Core/Solids/Limits/LatticeParts.h"
+#include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PatchLimits.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
 
 using namespace coretest;
 
@@ -35,9 +40,8 @@ public:
   void Compare()
   {
     const int size = this->Components;
-    const std::vector<double> values = MakeValues(size * this->Control.Complex.NumberOfVertices, 5);
-    const std::vector<double> expected =
-      ApplyTo(LocalLimit<int>(this->Control, {}, this->Names.GetMidpoints()), values, size);
+    const std::vector<double> values = this->MakeControlValues();
+    const std::vector<double> expected = this->FindExpected(values);
     const PatchLimits<Level<int>> limits(this->Control, values.data(), size);
     PatchPolynomials polynomials(this->Control.Strata.Weights);
     PatchTree tree(polynomials, size);
@@ -64,11 +68,80 @@ public:
       }
     }
   }
+  /// The same of values on a lattice, which know joints too.
+  void CompareOnLattice(std::size_t mostKept)
+  {
+    const int size = this->Components;
+    const std::vector<double> values = this->MakeControlValues();
+    const std::vector<double> expected = this->FindExpected(values);
+    LatticeValues<int> lattice(this->Control, size);
+    std::vector<double> found(size);
+    const auto compare = [&](int dimension, const Place& place)
+    {
+      lattice.GetSize() > mostKept ? lattice.Clear() : void();
+      lattice.FindLimit(
+        dimension, place.Simplex.Number, place.Weights, values.data(), found.data());
+      this->Known += std::isnan(found[0]) ? 0 : 1;
+      for (int c = 0; c < size && !std::isnan(found[0]); ++c)
+      {
+        ASSERT_NEAR(found[c], expected[size * place.Vertex + c], 1e-12);
+      }
+    };
+    for (const Place& place : this->Places)
+    {
+      compare(place.Simplex.Corners[2] < 0 ? 1 : 2, place);
+    }
+    for (int v = 0; v < this->Control.Complex.NumberOfVertices; ++v)
+    {
+      this->Places.push_back({ { { { v, -1, -1 } }, v }, { { 1., 0., 0. } }, v });
+      compare(0, this->Places.back());
+    }
+  }
+  /// The same over large parts of simplices.
+  void CompareInParts()
+  {
+    const int size = this->Components;
+    const std::vector<double> values = this->MakeControlValues();
+    const std::vector<double> expected = this->FindExpected(values);
+    LatticeValues<int> lattice(this->Control, size);
+    LatticeParts<int> parts(this->Control, lattice, values.data(), size);
+    PatchPolynomials polynomials(this->Control.Strata.Weights);
+    PatchTree tree(polynomials, size);
+    std::vector<double> found(size * this->Places.size(), std::nan(""));
+    for (std::size_t i = 0; i < this->Places.size();)
+    {
+      const PatchSimplex<int> simplex = this->Places[i].Simplex;
+      const bool isStarted = parts.Start(simplex);
+      for (; i < this->Places.size() && this->Places[i].Simplex.Corners == simplex.Corners; ++i)
+      {
+        isStarted ? parts.Add(this->Places[i].Weights, found.data() + size * i) : void();
+      }
+      parts.Run(tree);
+    }
+    for (std::size_t i = 0; i < found.size(); ++i)
+    {
+      this->Known += i % size == 0 && !std::isnan(found[i]) ? 1 : 0;
+      if (!std::isnan(found[i]))
+      {
+        ASSERT_NEAR(found[i], expected[size * this->Places[i / size].Vertex + i % size], 1e-12);
+      }
+    }
+  }
   int GetSize() const { return static_cast<int>(this->Places.size()); }
 
   int Known = 0;
 
 private:
+  std::vector<double> MakeControlValues() const
+  {
+    return MakeValues(this->Components * this->Control.Complex.NumberOfVertices, 5);
+  }
+  std::vector<double> FindExpected(const std::vector<double>& values) const
+  {
+    return ApplyTo(
+      LocalLimit<int>(this->Control, {}, this->Names.GetMidpoints()), values, this->Components);
+  }
+
   struct Place
   {
     PatchSimplex<int> Simplex;
@@ -169,4 +242,74 @@ TEST(PatchLimits, HaveNoNumberWhereThereIsNone)
   EXPECT_TRUE(std::isnan(limit));
   tree.Find({ { std::nan(""), 0.5, 0.5 } }, &limit);
   EXPECT_TRUE(std::isnan(limit));
+}
+
+/// On a lattice all limits are known, but not beside joints that are sharp, where the rule of an
+/// edge is not that of what it meets, and next to sectors with rules of their own.
+TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
+{
+  const std::set<std::string> partly = { "Sharp", "Regional", "ModifiedBoundary", "ModifiedDart" };
+  unsigned int seed = 1;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
+      PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
+      ++seed;
+      which.CompareOnLattice(seed % 3 == 0 ? 50 : 100000);
+      if (testing::Test::HasFatalFailure())
+      {
+        return;
+      }
+      const int all = which.GetSize();
+      EXPECT_GE(which.Known, partly.count(options) > 0 ? all / 2 : all);
+    }
+  }
+}
+
+/// Places that are not too close to a control vertex or a joint are in a regular part.
+TEST(LatticeParts, EqualLocalLimitsOnTheWholeZoo)
+{
+  int known = 0;
+  int all = 0;
+  unsigned int seed = 1;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
+      PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
+      ++seed;
+      which.CompareInParts();
+      if (testing::Test::HasFatalFailure())
+      {
+        return;
+      }
+      known += which.Known;
+      all += which.GetSize();
+    }
+  }
+  EXPECT_GT(known, all / 8);
+}
+
+/// A place that is on no level, or in no simplex, has no limit.
+TEST(LatticeValues, HaveNoNumberWhereThereIsNone)
+{
+  const Level<int> level = std::move(BuildNamed<int>(FindInZoo("SingleTriangle"), "Blend").Level);
+  LatticeValues<int> lattice(level, 1);
+  const double values[3] = { 2., 2., 2. };
+  const auto find = [&](const std::array<double, 3>& at)
+  {
+    double limit = 0.;
+    lattice.FindLimit(2, 0, at, values, &limit);
+    return limit;
+  };
+  EXPECT_NEAR(find({ { 0.25, 0.25, 0.5 } }), 2., 1e-13);
+  EXPECT_TRUE(std::isnan(find({ { 1. / 3., 1. / 3., 1. / 3. } })));
+  EXPECT_TRUE(std::isnan(find({ { 0.5, 0.25, 0.5 } })));
+  EXPECT_TRUE(std::isnan(find({ { 1.5, -0.5, 0. } })));
+  EXPECT_TRUE(std::isnan(find({ { std::nan(""), 0.5, 0.5 } })));
 }

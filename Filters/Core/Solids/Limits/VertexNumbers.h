@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VertexNumbers.h
+ * Numbers vertices of a level, whatever names them (VertexRow.h), or other things that have
+ * GetHash() and can be compared, with a hash table.
+ */
+#ifndef SubdivisionObjects_VertexNumbers_h
+#define SubdivisionObjects_VertexNumbers_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace subdivision
+{
+
+template <typename Vertex>
+class VertexNumbers
+{
+public:
+  void Clear()
+  {
+    this->Vertices.clear();
+    this->Slots.assign(this->Slots.size(), -1);
+  }
+  /// The number of a vertex. A new one gets the next, which is how many there were.
+  std::size_t GetNumber(const Vertex& vertex)
+  {
+    if (2 * (this->Vertices.size() + 1) > this->Slots.size())
+    {
+      this->Grow();
+    }
+    int& slot = this->Slots[this->Locate(vertex)];
+    if (slot < 0)
+    {
+      slot = static_cast<int>(this->Vertices.size());
+      this->Vertices.push_back(vertex);
+    }
+    return static_cast<std::size_t>(slot);
+  }
+
+  /// The number of a vertex; -1: it has none.
+  std::ptrdiff_t Find(const Vertex& vertex) const { return this->Slots[this->Locate(vertex)]; }
+
+  std::vector<Vertex> Vertices; ///< by their numbers
+
+private:
+  /// The slot that has the vertex, or the empty one where it belongs.
+  std::size_t Locate(const Vertex& vertex) const
+  {
+    for (std::uint64_t hash = vertex.GetHash();; ++hash)
+    {
+      const std::size_t at = hash & (this->Slots.size() - 1);
+      const int slot = this->Slots[at];
+      if (slot < 0 || this->Vertices[static_cast<std::size_t>(slot)] == vertex)
+      {
+        return at;
+      }
+    }
+  }
+  void Grow()
+  {
+    this->Slots.assign(2 * this->Slots.size(), -1);
+    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    {
+      this->Slots[this->Locate(this->Vertices[i])] = static_cast<int>(i);
+    }
+  }
+
+  std::vector<int> Slots = std::vector<int>(256, -1); ///< a power of two
+};
+
+}
+
+#endif
