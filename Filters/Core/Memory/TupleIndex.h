@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TupleIndex.h
- * Numbers sets of vertices, equal sets alike. So BuildComplex finds the edges and faces of cells,
- * and cells that are equal.
+ * Numbers sets of vertices, equal sets alike, whatever their size. Edges and faces of cells are
+ * found by PairIndex.h, which takes less time.
  */
 #ifndef SubdivisionObjects_TupleIndex_h
 #define SubdivisionObjects_TupleIndex_h

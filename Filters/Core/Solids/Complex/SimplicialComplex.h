@@ -58,6 +58,7 @@ struct SimplicialComplex
   Buffer<Id> TetEdges;     ///< 6 for each tetrahedron, as in tetrahedron::EdgeVertices
   Buffer<Id> TetFaces;     ///< 4 for each tetrahedron, opposite to its vertices
   Rows<Id> FaceTets;       ///< the tetrahedra at each face
+  Rows<Id> EdgeFaces;      ///< the faces at each edge, where BuildComplex knew them; may be empty
   EqualCells<Id> EqualLines;
   EqualCells<Id> EqualTriangles;
   EqualCells<Id> EqualTets;
@@ -129,9 +130,9 @@ Id SimplicialComplex<Id>::OtherEdge(Id face, Id edge, Id vertex) const
 template <typename Id>
 Id SimplicialComplex<Id>::VertexOpposite(Id face, Id edge) const
 {
-  const Id* vertices = this->FaceVertices.data() + 3 * face;
-  const Id* edges = this->FaceEdges.data() + 3 * face;
-  return edges[0] == edge ? vertices[2] : edges[1] == edge ? vertices[0] : vertices[1];
+  const Id* vertices = this->FaceVertices.data() + 3 * vtkIdType(face);
+  const Id* edges = this->FaceEdges.data() + 3 * vtkIdType(face);
+  return vertices[triangle::VertexOpposite[FindPlace<3>(edges, edge)]];
 }
 
 }
