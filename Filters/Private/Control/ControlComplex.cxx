@@ -303,6 +303,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   control.Current.Strata =
     BuildStrata(complex, CollectSingular(complex, control, mesh.Values.Singular),
       MakeStrataOptions(features, mesh.Values, complex, control.Runs));
+  complex.EdgeFaces = Rows<Id>(); // only strata need them
   return true;
 }
 
@@ -346,6 +347,7 @@ Level<Id> BuildSharpControl(const ControlMesh& mesh, const FeatureOptions& featu
   flag(traits.Sharpness.Faces, singular.Faces);
   level.Strata = BuildStrata(
     level.Complex, singular, MakeStrataOptions(features, mesh.Values, level.Complex, control.Runs));
+  level.Complex.EdgeFaces = Rows<Id>();
   return level;
 }
 

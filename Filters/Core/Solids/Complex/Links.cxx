@@ -11,6 +11,19 @@ namespace subdivision
 namespace
 {
 
+/// Of an edge of so many triangles that lie in no solid, and of no solid: the link in C_2 is a
+/// point for each.
+EdgeFacts FactsInSurface(vtkIdType triangles)
+{
+  EdgeFacts facts;
+  facts.Dimensions = DimensionBit(triangles == 0 ? 1 : 2);
+  facts.InSurface = triangles == 0 ? Place::Outside
+    : triangles == 1               ? Place::Boundary
+    : triangles == 2               ? Place::Interior
+                                   : Place::Type2;
+  return facts;
+}
+
 /// Rows that list, for each of `rows` members, the owners whose `perOwner` members include it.
 template <typename Id>
 Rows<Id> Invert(const Buffer<Id>& members, int perOwner, vtkIdType rows)
@@ -30,33 +43,83 @@ template <typename Id>
 Links<Id>::Links(const SimplicialComplex<Id>& complex)
   : Complex(complex)
   , VertexEdges(Invert(complex.EdgeVertices, 2, complex.NumberOfVertices))
-  , EdgeFaces(Invert(complex.FaceEdges, 3, complex.NumberOfEdges))
-  , Dimensions(this->FindEdgeDimensions())
+  , OwnFaces(complex.EdgeFaces.Offsets.empty() ? Invert(complex.FaceEdges, 3, complex.NumberOfEdges)
+                                               : Rows<Id>())
+  , EdgeFaces(complex.EdgeFaces.Offsets.empty() ? this->OwnFaces : complex.EdgeFaces)
+  , OnlyDimension(this->FindOnlyDimension())
+  , Facts(this->FindFacts())
 {
 }
 
 template <typename Id>
-Buffer<unsigned char> Links<Id>::FindEdgeDimensions() const
+Buffer<EdgeFacts> Links<Id>::FindFacts() const
 {
-  Buffer<unsigned char> dimensions(this->Complex.NumberOfEdges);
-  ForEach(this->Complex.NumberOfEdges,
-    [&](vtkIdType edge)
+  const vtkIdType edges = this->Complex.NumberOfEdges;
+  Buffer<EdgeFacts> facts(edges);
+  if (this->Complex.NumberOfTets == 0)
+  {
+    EdgeFacts ofSizes[4];
+    for (int triangles = 0; triangles < 4; ++triangles)
     {
-      const Row<Id> faces = this->EdgeFaces[edge];
-      unsigned char found = faces.size() == 0 ? DimensionBit(1) : 0;
-      for (Id face : faces)
-      {
-        found |= this->FaceDimension(face);
-      }
-      dimensions[edge] = found;
-    });
-  return dimensions;
+      ofSizes[triangles] = FactsInSurface(triangles);
+    }
+    ForEach(edges, [&](vtkIdType edge)
+      { facts[edge] = ofSizes[std::min<vtkIdType>(this->EdgeFaces[edge].size(), 3)]; });
+    return facts;
+  }
+  ForEach(edges, [&](vtkIdType edge) { facts[edge] = this->FindFacts(static_cast<Id>(edge)); });
+  return facts;
+}
+
+/// The link of an edge in C_3 is a graph: a node for each face at the edge, an arc for each
+/// tetrahedron; a node's degree is the number of tetrahedra at the face.
+template <typename Id>
+EdgeFacts Links<Id>::FindFacts(Id edge) const
+{
+  const Row<Id> faces = this->EdgeFaces[edge];
+  vtkIdType nodes = 0;
+  vtkIdType ends = 0;
+  vtkIdType most = 0;
+  for (const Id face : faces)
+  {
+    const vtkIdType degree = this->Complex.FaceTets[face].size();
+    nodes += degree > 0 ? 1 : 0;
+    ends += degree == 1 ? 1 : 0;
+    most = std::max(most, degree);
+  }
+  EdgeFacts facts = FactsInSurface(faces.size() - nodes);
+  if (nodes > 0)
+  {
+    // Lines have no faces.
+    facts.Dimensions = static_cast<unsigned char>(
+      DimensionBit(3) | (facts.InSurface == Place::Outside ? 0 : DimensionBit(2)));
+    facts.InSolid = most > 2                                         ? Place::Type2
+      : ends > 2 || !this->IsConnectedAround(edge, nodes, ends == 0) ? Place::Type3
+      : ends == 0                                                    ? Place::Interior
+                                                                     : Place::Boundary;
+  }
+  return facts;
+}
+
+template <typename Id>
+unsigned char Links<Id>::FindOnlyDimension() const
+{
+  const SimplicialComplex<Id>& complex = this->Complex;
+  return complex.HasEdgesAlone()         ? DimensionBit(1)
+    : complex.NumberOfLineCells > 0      ? 0
+    : complex.NumberOfTets == 0          ? DimensionBit(2)
+    : complex.NumberOfTriangleCells == 0 ? DimensionBit(3)
+                                         : 0;
 }
 
 template <typename Id>
 unsigned char Links<Id>::VertexDimensions(Id vertex) const
 {
   unsigned char dimensions = 0;
+  if (this->OnlyDimension)
+  {
+    return this->VertexEdges[vertex].size() > 0 ? this->OnlyDimension : dimensions;
+  }
   for (Id edge : this->VertexEdges[vertex])
   {
     dimensions |= this->EdgeDimensions(edge);
@@ -64,67 +127,17 @@ unsigned char Links<Id>::VertexDimensions(Id vertex) const
   return dimensions;
 }
 
-template <typename Id>
-Place Links<Id>::PlaceEdge(Id edge, int k) const
-{
-  if (!(this->EdgeDimensions(edge) & DimensionBit(k)))
-  {
-    return Place::Outside;
-  }
-  if (k == 3)
-  {
-    return this->PlaceEdgeInSolid(edge);
-  }
-  if (k == 1)
-  {
-    return Place::Interior;
-  }
-  int triangles = 0;
-  for (Id face : this->EdgeFaces[edge])
-  {
-    triangles += this->FaceDimension(face) == DimensionBit(2) ? 1 : 0;
-  }
-  return triangles == 0 ? Place::Outside
-    : triangles == 1    ? Place::Boundary
-    : triangles == 2    ? Place::Interior
-                        : Place::Type2;
-}
-
-/// The link of an edge in C_3 is a graph: a node for each face at the edge, an arc for each
-/// tetrahedron; a node's degree is the number of tetrahedra at the face.
-template <typename Id>
-Place Links<Id>::PlaceEdgeInSolid(Id edge) const
-{
-  vtkIdType nodes = 0;
-  vtkIdType ends = 0;
-  for (Id face : this->EdgeFaces[edge])
-  {
-    const vtkIdType degree = this->Complex.FaceTets[face].size();
-    if (degree > 2)
-    {
-      return Place::Type2;
-    }
-    nodes += degree > 0 ? 1 : 0;
-    ends += degree == 1 ? 1 : 0;
-  }
-  if (nodes == 0)
-  {
-    return Place::Outside;
-  }
-  if (ends > 2 || !this->IsConnectedAround(edge, nodes))
-  {
-    return Place::Type3;
-  }
-  return ends == 0 ? Place::Interior : Place::Boundary;
-}
-
 /// Whether the link of an edge in C_3 is connected: `faces` nodes, none of which has more than two
 /// tetrahedra, and two or none have one. Walks around the edge from one of these two if there are
 /// any. What it does not come to are cycles, of three faces at least, so that it may stop before
-/// the last two.
+/// the last two. If the walk is one too, there have to be six for another.
 template <typename Id>
-bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
+bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
 {
+  if (faces < (isClosed ? 6 : 5))
+  {
+    return true;
+  }
   Id start = -1;
   for (Id face : this->EdgeFaces[edge])
   {
@@ -165,11 +178,11 @@ bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces) const
 }
 
 template <typename Id>
-Place Links<Id>::PlaceVertex(Id vertex, int k, const Buffer<Place>& edgePlaces) const
+Place Links<Id>::PlaceVertex(Id vertex, int k) const
 {
   if (k == 3)
   {
-    return this->PlaceVertexInSolid(vertex, edgePlaces);
+    return this->PlaceVertexInSolid(vertex);
   }
   if (k == 2)
   {
@@ -195,7 +208,7 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
   Id start = -1; // an end of the link if there is one
   for (Id edge : this->VertexEdges[vertex])
   {
-    switch (this->PlaceEdge(edge, 2))
+    switch (this->Facts[edge].InSurface)
     {
       case Place::Type2:
         return Place::Type2;
@@ -216,7 +229,7 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
   {
     return Place::Outside;
   }
-  if (ends > 2 || !this->IsOneFan(vertex, start, nodes))
+  if (ends > 2 || !this->IsOneFan(vertex, start, nodes, ends == 0))
   {
     return Place::Type3;
   }
@@ -226,19 +239,27 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
 /// Whether the triangles at a vertex form one fan: `edges` edges lie on them, none of which has
 /// more than two, and two or none have one. Walks from `start`, one of these two if there are any.
 /// What it does not come to are cycles, of three edges at least, so that it may stop before the
-/// last two.
+/// last two. If the walk is one too, there have to be six for another.
 template <typename Id>
-bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges) const
+bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) const
 {
-  auto isTriangle = [this](Id face) { return this->FaceDimension(face) == DimensionBit(2); };
+  if (edges < (isClosed ? 6 : 5))
+  {
+    return true;
+  }
+  const bool areAll = this->Complex.NumberOfTets == 0;
+  auto isTriangle = [=](Id face) { return areAll || this->FaceDimension(face) == DimensionBit(2); };
   vtkIdType met = 1;
   Id edge = start;
   Id face = -1;
   while (met + 2 < edges)
   {
     const Row<Id> faces = this->EdgeFaces[edge];
-    const Id* next = std::find_if(
-      faces.begin(), faces.end(), [&](Id other) { return other != face && isTriangle(other); });
+    const Id* next = faces.begin();
+    while (next != faces.end() && (*next == face || !isTriangle(*next)))
+    {
+      ++next;
+    }
     if (next == faces.end())
     {
       return false; // the other end
@@ -258,17 +279,19 @@ bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges) const
 /// triangle for each tetrahedron. Connected, with manifold vertices and Euler characteristic 2 it
 /// is a sphere; with a boundary and characteristic 1, a disk.
 template <typename Id>
-Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) const
+Place Links<Id>::PlaceVertexInSolid(Id vertex) const
 {
+  const bool areAll = this->Complex.NumberOfTriangleCells == 0;
+  const auto isOfSolid = [=](Id face)
+  { return areAll || this->FaceDimension(face) == DimensionBit(3); };
   vtkIdType vertices = 0;
   vtkIdType twiceEdges = 0;
-  vtkIdType sixTriangles = 0; // six times their number: the loops below meet a tetrahedron at three
-                              // edges, and there on two faces
-  vtkIdType ends = 0;
+  vtkIdType ends = 0; // twice the edges of the boundary: both its ends meet it
   bool severalPieces = false;
+  Id start = -1;
   for (Id edge : this->VertexEdges[vertex])
   {
-    const Place place = edgePlaces[edge];
+    const Place place = this->Facts[edge].InSolid;
     if (place == Place::Outside)
     {
       continue;
@@ -278,25 +301,22 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) 
       return Place::Type2;
     }
     severalPieces = severalPieces || place == Place::Type3;
+    const Row<Id> faces = this->EdgeFaces[edge];
     ++vertices;
-    for (Id face : this->EdgeFaces[edge])
-    {
-      const vtkIdType tets = this->Complex.FaceTets[face].size();
-      twiceEdges += tets > 0 ? 1 : 0;
-      sixTriangles += tets;
-      ends += tets == 1 ? 1 : 0;
-    }
+    start = edge;
+    twiceEdges += areAll ? faces.size() : std::count_if(faces.begin(), faces.end(), isOfSolid);
+    ends += place == Place::Boundary ? 2 : 0;
   }
   if (vertices == 0)
   {
     return Place::Outside;
   }
-  const vtkIdType euler = vertices - twiceEdges / 2 + sixTriangles / 6;
+  // A face has two tetrahedra, or one at an end, and a tetrahedron is at three faces.
+  const vtkIdType euler = vertices - twiceEdges / 2 + (2 * twiceEdges - ends) / 6;
   const bool interior = ends == 0 && euler == 2;
   const bool boundary = ends > 0 && euler == 1;
   if (severalPieces || (!interior && !boundary) ||
-    this->CountPieces(
-      vertex, [this](Id face) { return this->FaceDimension(face) == DimensionBit(3); }) != 1)
+    !this->IsOnePiece(vertex, start, vertices, isOfSolid))
   {
     return Place::Type3;
   }

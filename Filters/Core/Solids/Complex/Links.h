@@ -9,6 +9,7 @@
 
 #include "Core/Solids/Complex/SimplicialComplex.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace subdivision
@@ -31,106 +32,134 @@ constexpr unsigned char DimensionBit(int k)
 }
 constexpr unsigned char AllDimensions = 7;
 
+/// The set of dimensions k for which an edge lies in C_k, as DimensionBit, and how it lies in C_2
+/// and C_3.
+struct EdgeFacts
+{
+  unsigned char Dimensions = 0;
+  Place InSurface = Place::Outside;
+  Place InSolid = Place::Outside;
+};
+
 template <typename Id>
 class Links
 {
 public:
   explicit Links(const SimplicialComplex<Id>& complex);
+  Links(const Links&) = delete;
+  Links& operator=(const Links&) = delete;
 
   const SimplicialComplex<Id>& Complex;
-  Rows<Id> VertexEdges; ///< all edges at a vertex, in order
-  Rows<Id> EdgeFaces;   ///< all faces at an edge, in order
+  const Rows<Id> VertexEdges; ///< all edges at a vertex, in order
+
+private:
+  const Rows<Id> OwnFaces; ///< where the complex has no EdgeFaces
+
+public:
+  const Rows<Id>& EdgeFaces; ///< all faces at an edge, in order
 
   /// The set of dimensions k for which a simplex lies in C_k, as DimensionBit.
   unsigned char FaceDimension(Id face) const
   {
     return DimensionBit(this->Complex.FaceTets[face].size() > 0 ? 3 : 2);
   }
-  unsigned char EdgeDimensions(Id edge) const { return this->Dimensions[edge]; }
+  unsigned char EdgeDimensions(Id edge) const { return this->Facts[edge].Dimensions; }
   unsigned char VertexDimensions(Id vertex) const;
+  /// The dimension that all simplices lie in, as DimensionBit; 0: there are several.
+  unsigned char GetOnlyDimension() const { return this->OnlyDimension; }
 
   /// How an edge lies in C_k.
-  Place PlaceEdge(Id edge, int k) const;
+  Place PlaceEdge(Id edge, int k) const
+  {
+    const EdgeFacts& facts = this->Facts[edge];
+    return k == 3                          ? facts.InSolid
+      : k == 2                             ? facts.InSurface
+      : facts.Dimensions & DimensionBit(1) ? Place::Interior
+                                           : Place::Outside;
+  }
 
-  /// How a vertex lies in C_k. `edgePlaces` has PlaceEdge(e, 3) for each edge e.
-  Place PlaceVertex(Id vertex, int k, const Buffer<Place>& edgePlaces) const;
+  /// How a vertex lies in C_k.
+  Place PlaceVertex(Id vertex, int k) const;
 
   /// Whether the faces at a vertex that `accept` takes form one closed fan around it.
   template <typename Accept>
   bool IsClosedFan(Id vertex, const Accept& accept) const;
 
-  /// Number of pieces of the graph whose nodes are the edges at a vertex that lie on accepted faces
-  /// and whose arcs are those faces.
-  template <typename Accept>
-  int CountPieces(Id vertex, const Accept& accept) const;
-
 private:
-  Buffer<unsigned char> FindEdgeDimensions() const;
-  Place PlaceEdgeInSolid(Id edge) const;
+  unsigned char FindOnlyDimension() const;
+  Buffer<EdgeFacts> FindFacts() const;
+  EdgeFacts FindFacts(Id edge) const;
   Place PlaceVertexInSurface(Id vertex) const;
-  Place PlaceVertexInSolid(Id vertex, const Buffer<Place>& edgePlaces) const;
-  bool IsConnectedAround(Id edge, vtkIdType faces) const;
-  bool IsOneFan(Id vertex, Id start, vtkIdType edges) const;
+  Place PlaceVertexInSolid(Id vertex) const;
+  bool IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const;
+  bool IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) const;
+  template <typename Accept>
+  bool IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& accept) const;
 
-  const Buffer<unsigned char> Dimensions; ///< of edges
+  const unsigned char OnlyDimension;
+  const Buffer<EdgeFacts> Facts; ///< of edges
 };
 
+/// Whether a graph has one piece only: its nodes are the edges at a vertex that lie on accepted
+/// faces, one of them `start`, and its arcs are those faces.
 template <typename Id>
 template <typename Accept>
-int Links<Id>::CountPieces(Id vertex, const Accept& accept) const
+bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& accept) const
 {
   const Row<Id> edges = this->VertexEdges[vertex];
-  static thread_local std::vector<vtkIdType> parents; // reused by all calls
-  parents.assign(edges.size(), -1);                   // -1: on no accepted face
-  auto root = [](vtkIdType i)
+  const auto find = [&edges](Id edge) // without branches, which the processor would mispredict
   {
-    while (parents[i] != i)
+    const Id* place = edges.begin();
+    for (vtkIdType size = edges.size(); size > 1;)
     {
-      i = parents[i] = parents[parents[i]];
+      const vtkIdType half = size / 2;
+      place += place[half] <= edge ? half : 0;
+      size -= half;
     }
-    return i;
+    return place - edges.begin();
   };
-  int pieces = 0;
-  auto touch = [&](vtkIdType i)
+  constexpr vtkIdType few = 64;
+  unsigned char fewMet[few] = {};
+  Id fewToVisit[few];
+  const vtkIdType many = edges.size() > few ? edges.size() : 0;
+  std::vector<unsigned char> manyMet(static_cast<std::size_t>(many), 0);
+  std::vector<Id> manyToVisit(static_cast<std::size_t>(many));
+  unsigned char* const areMet = many > 0 ? manyMet.data() : fewMet; // for each edge at the vertex
+  Id* const toVisit = many > 0 ? manyToVisit.data() : fewToVisit;
+  vtkIdType left = 0;
+  toVisit[left++] = start;
+  areMet[find(start)] = 1;
+  vtkIdType count = 1;
+  while (count < nodes && left > 0)
   {
-    if (parents[i] < 0)
-    {
-      parents[i] = i;
-      ++pieces;
-    }
-  };
-  for (vtkIdType i = 0; i < edges.size(); ++i)
-  {
-    const Id edge = edges.begin()[i];
+    const Id edge = toVisit[--left];
     const Id far = this->Complex.GetOtherEnd(edge, vertex);
-    for (Id face : this->EdgeFaces[edge])
+    for (const Id face : this->EdgeFaces[edge])
     {
       if (!accept(face))
       {
         continue;
       }
-      const Id* faceEdges = this->Complex.FaceEdges.data() + 3 * face;
-      const Id other =
-        faceEdges[(this->Complex.VertexInFace(face, far) + 1) % 3]; // the edge opposite to far
-      const vtkIdType j = std::lower_bound(edges.begin(), edges.end(), other) - edges.begin();
-      touch(i);
-      touch(j);
-      const vtkIdType a = root(i);
-      const vtkIdType b = root(j);
-      if (a != b)
+      const Id* faceEdges = this->Complex.FaceEdges.data() + 3 * vtkIdType(face);
+      const Id other = faceEdges[triangle::EdgeOpposite[this->Complex.VertexInFace(face, far)]];
+      unsigned char& isMet = areMet[find(other)];
+      if (!isMet)
       {
-        parents[std::max(a, b)] = std::min(a, b);
-        --pieces;
+        isMet = 1;
+        ++count;
+        toVisit[left++] = other;
       }
     }
   }
-  return pieces;
+  return count == nodes;
 }
 
 template <typename Id>
 template <typename Accept>
 bool Links<Id>::IsClosedFan(Id vertex, const Accept& accept) const
 {
+  vtkIdType nodes = 0;
+  Id start = -1;
   for (Id edge : this->VertexEdges[vertex])
   {
     int count = 0;
@@ -142,8 +171,10 @@ bool Links<Id>::IsClosedFan(Id vertex, const Accept& accept) const
     {
       return false;
     }
+    nodes += count > 0 ? 1 : 0;
+    start = count > 0 ? edge : start;
   }
-  return this->CountPieces(vertex, accept) == 1;
+  return nodes > 0 && this->IsOnePiece(vertex, start, nodes, accept);
 }
 
 }

@@ -40,15 +40,13 @@ void DescribeVerticesAndEdges(const Links<Id>& links, const Strata<Id>& strata,
   const SingularSimplices& singular, ComplexDescription<Id>& description)
 {
   const SimplicialComplex<Id>& complex = links.Complex;
-  Buffer<Place> edgePlaces(complex.NumberOfEdges);
   description.Facts[1] = Buffer<SimplexFacts>(complex.NumberOfEdges);
   ForEach(complex.NumberOfEdges,
     [&](vtkIdType i)
     {
       const Id edge = static_cast<Id>(i);
-      edgePlaces[i] = links.PlaceEdge(edge, 3);
       const bool boundary =
-        edgePlaces[i] == Place::Boundary || links.PlaceEdge(edge, 2) == Place::Boundary;
+        links.PlaceEdge(edge, 3) == Place::Boundary || links.PlaceEdge(edge, 2) == Place::Boundary;
       description.Facts[1][i] = Describe(links.EdgeDimensions(edge), links.EdgeFaces[i].size(),
         boundary, strata.Edges[i], singular.Edges, i);
     });
@@ -60,7 +58,7 @@ void DescribeVerticesAndEdges(const Links<Id>& links, const Strata<Id>& strata,
       bool boundary = false;
       for (int k = 1; k <= 3; ++k)
       {
-        boundary = boundary || links.PlaceVertex(vertex, k, edgePlaces) == Place::Boundary;
+        boundary = boundary || links.PlaceVertex(vertex, k) == Place::Boundary;
       }
       description.Facts[0][i] = Describe(links.VertexDimensions(vertex),
         links.VertexEdges[i].size(), boundary, strata.Vertices[i], singular.Vertices, i);

@@ -108,9 +108,6 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
   bool inside, SimplexTuples& derived)
 {
   const Links<Id> links(complex);
-  Buffer<Place> edgePlaces(complex.NumberOfEdges);
-  ForEach(complex.NumberOfEdges,
-    [&](vtkIdType e) { edgePlaces[e] = links.PlaceEdge(static_cast<Id>(e), 3); });
   auto isInside = [](unsigned char dimensions, const auto& place)
   {
     for (int k = 1; k <= 3; ++k)
@@ -136,7 +133,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
     {
       const Id edge = static_cast<Id>(e);
       const bool isFace = links.EdgeFaces[edge].size() > 0;
-      auto place = [&](int k) { return k == 3 ? edgePlaces[e] : links.PlaceEdge(edge, k); };
+      auto place = [&](int k) { return links.PlaceEdge(edge, k); };
       if (!equal && isFace && (!inside || isInside(links.EdgeDimensions(edge), place)))
       {
         AddTuple(complex.EdgeVertices, 2, e, derived);
@@ -147,7 +144,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
     {
       const Id vertex = static_cast<Id>(v);
       const unsigned char dimensions = links.VertexDimensions(vertex);
-      auto place = [&](int k) { return links.PlaceVertex(vertex, k, edgePlaces); };
+      auto place = [&](int k) { return links.PlaceVertex(vertex, k); };
       if (dimensions && (!inside || (HoldsOneDimension(dimensions) && isInside(dimensions, place))))
       {
         derived.Tuples[0].push_back(v);

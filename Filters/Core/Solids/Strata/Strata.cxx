@@ -214,10 +214,6 @@ Strata<Id> StrataBuilder<Id>::Build()
   Strata<Id> strata;
   strata.Weights = this->Options.Weights;
   strata.ModifiedBoundary = this->Options.ModifiedBoundary;
-  this->EdgePlaces = Buffer<Place>(edges, Place::Outside);
-  ForEach(this->Complex.NumberOfTets > 0 ? edges : 0,
-    [&](vtkIdType e) { this->EdgePlaces[e] = this->Around.PlaceEdge(static_cast<Id>(e), 3); });
-
   Buffer<Decision> edgeDecisions(edges);
   this->EdgeMarks = Buffer<unsigned char>(edges);
   strata.Edges = Buffer<Stratum>(edges);
@@ -243,14 +239,16 @@ Strata<Id> StrataBuilder<Id>::Build()
   ForEach(this->Complex.NumberOfFaces,
     [&](vtkIdType f) { strata.Faces[f] = this->DecideFace(static_cast<Id>(f)); });
 
+  const unsigned char only = this->Around.GetOnlyDimension();
+  const auto areAllIn = [only](const Decision& decision)
+  { return decision.Ring == RingKind::InDimensions && (decision.Dimensions & only) != 0; };
   strata.EdgeRings = MakeRings(
-    this->Around.EdgeFaces, [](vtkIdType) { return false; },
+    this->Around.EdgeFaces, [&](vtkIdType e) { return areAllIn(edgeDecisions[e]); },
     [&](vtkIdType e, Id face) { return this->IsInEdgeRing(face, edgeDecisions[e]); },
     [&](vtkIdType e, Id face) { return this->Complex.VertexOpposite(face, static_cast<Id>(e)); },
     this->CollectReliefs(edgeDecisions));
   strata.VertexRings = MakeRings(
-    this->Around.VertexEdges, [&, alone = this->Complex.HasEdgesAlone()](vtkIdType v)
-    { return alone && vertexDecisions[v].Ring == RingKind::InDimensions; },
+    this->Around.VertexEdges, [&](vtkIdType v) { return areAllIn(vertexDecisions[v]); },
     [&](vtkIdType v, Id edge) { return this->IsInVertexRing(edge, vertexDecisions[v]); },
     [&](vtkIdType v, Id edge) { return this->Complex.GetOtherEnd(edge, static_cast<Id>(v)); },
     std::vector<std::vector<Id>>());

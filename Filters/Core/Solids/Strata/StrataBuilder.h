@@ -117,7 +117,6 @@ private:
   const SingularSimplices& Singular;
   const StrataOptions& Options;
   const Links<Id> Around;
-  Buffer<Place> EdgePlaces; ///< in C_3
   Buffer<unsigned char> EdgeMarks;
 };
 

@@ -20,7 +20,12 @@ Decision StrataBuilder<Id>::DecideEdge(Id edge) const
   }
   const unsigned char dimensions = this->Around.EdgeDimensions(edge);
   // No edge is a joint inside C_1 alone.
-  const Place places[4] = { {}, {}, this->Around.PlaceEdge(edge, 2), this->EdgePlaces[edge] };
+  const Place places[4] = { {}, {}, this->Around.PlaceEdge(edge, 2),
+    this->Around.PlaceEdge(edge, 3) };
+  if (dimensions == DimensionBit(2) && places[2] == Place::Interior && !this->HasSingular())
+  {
+    return DecideIn(Rule::Surface, 0, dimensions); // as below, in fewer steps
+  }
   const int type = this->TypeOf(dimensions, places);
   const int singularFaces = this->CountSingularFaces(edge);
   if (flagged || singularFaces == 1 || singularFaces > 2)
@@ -56,8 +61,7 @@ Decision StrataBuilder<Id>::DecideJointEdge(
       const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
       if (dimensions & DimensionBit(k))
       {
-        const Place place = k == 3 ? this->EdgePlaces[edge] : this->Around.PlaceEdge(edge, k);
-        return this->DecideEdgeIn(edge, k, place, type);
+        return this->DecideEdgeIn(edge, k, this->Around.PlaceEdge(edge, k), type);
       }
       break;
     }
@@ -117,6 +121,11 @@ template <typename Id>
 bool StrataBuilder<Id>::IsRegular(Id edge) const
 {
   int faces = 0;
+  const bool areOfTets = this->Complex.NumberOfTriangleCells == 0;
+  if (areOfTets && this->Around.EdgeFaces[edge].size() != 4)
+  {
+    return false;
+  }
   for (Id face : this->Around.EdgeFaces[edge])
   {
     const Row<Id> tets = this->Complex.FaceTets[face];

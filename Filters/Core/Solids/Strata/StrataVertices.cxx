@@ -31,7 +31,7 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
   {
     if (dimensions & DimensionBit(k))
     {
-      places[k] = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
+      places[k] = this->Around.PlaceVertex(vertex, k);
     }
   }
   const int type = this->TypeOf(dimensions, places);
@@ -102,7 +102,7 @@ bool StrataBuilder<Id>::LiesOnBoundaryCurve(Id vertex) const
       return true;
     }
   }
-  return this->Around.PlaceVertex(vertex, 1, this->EdgePlaces) == Place::Boundary;
+  return this->Around.PlaceVertex(vertex, 1) == Place::Boundary;
 }
 
 template <typename Id>
@@ -127,7 +127,7 @@ Decision StrataBuilder<Id>::DecideJointVertex(
       const int k = 1 + static_cast<int>(rule) - static_cast<int>(JointRule::FollowDimension1);
       if (dimensions & DimensionBit(k))
       {
-        const Place place = this->Around.PlaceVertex(vertex, k, this->EdgePlaces);
+        const Place place = this->Around.PlaceVertex(vertex, k);
         return this->DecideVertexIn(vertex, k, place, type);
       }
       break;
@@ -187,7 +187,7 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
     case RingKind::InDimensions:
       return this->Around.EdgeDimensions(edge) & decision.Dimensions;
     case RingKind::BoundaryOfSolid:
-      return this->EdgePlaces[edge] == Place::Boundary;
+      return this->Around.PlaceEdge(edge, 3) == Place::Boundary;
     case RingKind::BoundaryOfSurface:
       return this->Around.PlaceEdge(edge, 2) == Place::Boundary;
     case RingKind::Part:

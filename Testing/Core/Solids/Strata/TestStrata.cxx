@@ -199,6 +199,41 @@ TEST(CoreStrata, AnnulusAndSuspendedTorusAreType3)
   EXPECT_EQ(cone.Level.Strata.Vertices[0].GetRule(), Rule::Surface);
 }
 
+TEST(CoreStrata, TwoSurfacesWithTheEulerCharacteristicOfOneAreType3)
+{
+  // The link of vertex 0 is the torus with seven vertices and a sphere, or a ring and a disk, in
+  // both orders.
+  for (const bool isClosed : { true, false })
+  {
+    for (const bool isLast : { true, false })
+    {
+      SCOPED_TRACE(std::to_string(isClosed) + std::to_string(isLast));
+      Mesh mesh = MakeSpread("TwoSurfaces", 12);
+      const int first = isLast ? 1 : 5; // of the torus or ring
+      const int other = isLast ? 8 : 1;
+      for (int i = 0; i < 7 && isClosed; ++i)
+      {
+        const auto at = [=](int k) { return vtkIdType(first + (i + k) % 7); };
+        mesh.AddCells({ { 0, at(0), at(1), at(3) }, { 0, at(0), at(2), at(3) } });
+      }
+      for (int i = 0; i < 3 && !isClosed; ++i)
+      {
+        const int a = first + i;
+        const int b = first + (i + 1) % 3;
+        mesh.AddCells({ { 0, a, b, a + 3 }, { 0, b, b + 3, a + 3 } });
+      }
+      for (int i = 0; i < (isClosed ? 4 : 1); ++i)
+      {
+        const auto at = [=](int k) { return vtkIdType(other + (i + k) % 4); };
+        mesh.AddCells({ { 0, at(0), at(1), at(2) } });
+      }
+      const Subdivided<int> built = Build<int>(mesh.Cells);
+      EXPECT_EQ(built.Level.Strata.Vertices[0].GetType(), 3);
+      EXPECT_EQ(built.Level.Strata.Vertices[first].GetType(), 0);
+    }
+  }
+}
+
 TEST(CoreStrata, SeveralSmallestFansAreType3)
 {
   // Fans at vertex 0 and at edge 01: closed ones are of three, the fewest there may be, beside a
