@@ -3,16 +3,20 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/PairIndex.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-/// Finds the edges of half-edges and segments. Each of these is an entry in the list of the smaller
-/// one of its two ends, and entries with the same other end are one edge.
+/// Finds the edges of half-edges and segments.
 template <typename Id>
 class EdgeSearch
 {
@@ -21,166 +25,154 @@ public:
     : Mesh(mesh)
     , Segments(segments)
     , Corners(mesh.GetNumberOfCorners())
-    , Size(Corners + segments.size() / 2)
   {
   }
 
   void Run(Buffer<Id>& segmentEdges)
   {
-    this->FillEntries();
-    this->NumberEdges(segmentEdges);
-  }
-
-private:
-  struct Entry
-  {
-    Id Far; ///< the larger end
-    Id Source;
-    bool operator<(const Entry& other) const
-    {
-      return this->Far != other.Far ? this->Far < other.Far : this->Source < other.Source;
-    }
-  };
-
-  std::pair<Id, Id> GetEnds(vtkIdType source) const
-  {
-    if (source < this->Corners)
-    {
-      const Id corner = static_cast<Id>(source);
-      return { this->Mesh.Vertices[corner], this->Mesh.Vertices[this->Mesh.Next(corner)] };
-    }
-    const vtkIdType s = source - this->Corners;
-    return { this->Segments[2 * s], this->Segments[2 * s + 1] };
-  }
-
-  void FillEntries()
-  {
-    const vtkIdType vertices = this->Mesh.NumberOfVertices;
-    this->First = Buffer<Id>(vertices + 1, 0);
-    for (const vtkIdType i : InTurn(this->Size))
-    {
-      const auto ends = this->GetEnds(i);
-      ++this->First[std::min(ends.first, ends.second)];
-    }
-    CountsToOffsets(this->First);
-    Buffer<Id> next(vertices);
-    std::copy(this->First.begin(), this->First.end() - 1, next.begin());
-    this->Entries = Buffer<Entry>(this->Size);
-    for (const vtkIdType i : InTurn(this->Size))
-    {
-      const auto ends = this->GetEnds(i);
-      this->Entries[next[std::min(ends.first, ends.second)]++] = {
-        std::max(ends.first, ends.second), static_cast<Id>(i)
-      };
-    }
-    ForEach(vertices,
-      [this](vtkIdType v)
-      {
-        std::sort(this->Entries.data() + this->First[v], this->Entries.data() + this->First[v + 1]);
-      });
-  }
-
-  void NumberEdges(Buffer<Id>& segmentEdges)
-  {
-    const vtkIdType vertices = this->Mesh.NumberOfVertices;
-    Buffer<Id> firstEdges(vertices + 1);
-    auto isNew = [this](Id k, vtkIdType v)
-    { return k == this->First[v] || this->Entries[k].Far != this->Entries[k - 1].Far; };
-    ForEach(vertices,
-      [&](vtkIdType v)
-      {
-        Id count = 0;
-        for (Id k = this->First[v]; k < this->First[v + 1]; ++k)
-        {
-          count += isNew(k, v);
-        }
-        firstEdges[v] = count;
-      });
-    CountsToOffsets(firstEdges);
-    const vtkIdType edges = firstEdges[vertices];
+    const PairIndex<Id> index(this->Corners + this->Segments.size() / 2,
+      this->Mesh.NumberOfVertices, [this](const auto& use) { this->ForPairs(use); });
+    const vtkIdType edges = index.GetNumberOfRanks();
     this->Mesh.EdgeVertices = Buffer<Id>(2 * edges);
     this->Mesh.EdgeCorners = Buffer<Id>(edges);
     this->Mesh.Edges = Buffer<Id>(this->Corners);
-    this->Mesh.Twins = Buffer<Id>(this->Corners, static_cast<Id>(-1));
+    this->Mesh.Twins = Buffer<Id>(this->Corners);
     segmentEdges = Buffer<Id>(this->Segments.size() / 2);
-    ForEach(vertices,
-      [&](vtkIdType v)
+    std::atomic<bool> hasSheaves(false);
+    index.ForRanks(
+      [&](Id edge, Id, const Entry* begin, const Entry* end)
       {
-        Id edge = firstEdges[v];
-        for (Id k = this->First[v]; k < this->First[v + 1]; ++edge)
+        if (this->SetEdge(edge, begin, end, segmentEdges) > 2)
         {
-          Id last = k + 1;
-          while (last < this->First[v + 1] && !isNew(last, v))
-          {
-            ++last;
-          }
-          this->SetEdge(edge, k, last, segmentEdges);
-          k = last;
+          hasSheaves = true;
         }
       });
-    this->FindSheaves();
+    if (hasSheaves)
+    {
+      this->FindSheaves();
+    }
   }
 
-  /// Entries [first, last) are one edge; it runs as the first of them does.
-  void SetEdge(Id edge, Id first, Id last, Buffer<Id>& segmentEdges)
+private:
+  using Entry = PairEntry<Id>;
+
+  /// Calls use(pair, smaller end, larger end) for all half-edges, then for segments.
+  template <typename Use>
+  void ForPairs(const Use& use) const
   {
-    const Entry* entries = this->Entries.data();
-    const auto ends = this->GetEnds(entries[first].Source);
-    this->Mesh.EdgeVertices[2 * edge] = ends.first;
-    this->Mesh.EdgeVertices[2 * edge + 1] = ends.second;
-    Id corners = 0; // they come before segments
-    for (Id k = first; k < last; ++k)
-    {
-      const Id source = entries[k].Source;
-      if (source < this->Corners)
+    const Id* const vertices = this->Mesh.Vertices.data();
+    ForEachInTurn(this->Mesh.NumberOfFaces,
+      [&](vtkIdType face)
       {
-        this->Mesh.Edges[source] = edge;
+        const vtkIdType first = this->Mesh.GetFirst(static_cast<Id>(face));
+        const vtkIdType last = first + this->Mesh.GetSize(static_cast<Id>(face)) - 1;
+        for (vtkIdType corner = first; corner < last; ++corner)
+        {
+          use(corner, std::min(vertices[corner], vertices[corner + 1]),
+            std::max(vertices[corner], vertices[corner + 1]));
+        }
+        use(last, std::min(vertices[last], vertices[first]),
+          std::max(vertices[last], vertices[first]));
+      });
+    ForEachInTurn(this->Segments.size() / 2,
+      [&](vtkIdType segment)
+      {
+        const Id* ends = this->Segments.data() + 2 * segment;
+        use(this->Corners + segment, std::min(ends[0], ends[1]), std::max(ends[0], ends[1]));
+      });
+  }
+  std::pair<Id, Id> GetEnds(vtkIdType pair) const
+  {
+    if (pair < this->Corners)
+    {
+      const Id corner = static_cast<Id>(pair);
+      return { this->Mesh.Vertices[corner], this->Mesh.Vertices[this->Mesh.Next(corner)] };
+    }
+    const Id* ends = this->Segments.data() + 2 * (pair - this->Corners);
+    return { ends[0], ends[1] };
+  }
+  /// Some half-edges and segments are one edge; it runs as the first of them does. Returns how many
+  /// half-edges there are: they come before segments.
+  Id SetEdge(Id edge, const Entry* begin, const Entry* end, Buffer<Id>& segmentEdges)
+  {
+    const Id first = begin->GetPair();
+    const std::pair<Id, Id> ends = this->GetEnds(first);
+    this->Mesh.EdgeVertices[2 * vtkIdType(edge)] = ends.first;
+    this->Mesh.EdgeVertices[2 * vtkIdType(edge) + 1] = ends.second;
+    Id corners = 0;
+    for (const Entry* entry = begin; entry < end; ++entry)
+    {
+      const Id pair = entry->GetPair();
+      if (pair < this->Corners)
+      {
+        this->Mesh.Edges[pair] = edge;
+        this->Mesh.Twins[pair] = -1;
         ++corners;
       }
       else
       {
-        segmentEdges[source - this->Corners] =
-          2 * edge + (this->GetEnds(source).first == ends.first ? 0 : 1);
+        segmentEdges[pair - this->Corners] =
+          2 * edge + (this->GetEnds(pair).first == ends.first ? 0 : 1);
       }
     }
-    this->Mesh.EdgeCorners[edge] = corners > 0 ? entries[first].Source : -1;
+    this->Mesh.EdgeCorners[edge] = corners > 0 ? first : -1;
     if (corners == 2)
     {
-      this->Mesh.Twins[entries[first].Source] = entries[first + 1].Source;
-      this->Mesh.Twins[entries[first + 1].Source] = entries[first].Source;
+      this->Mesh.Twins[first] = begin[1].GetPair();
+      this->Mesh.Twins[begin[1].GetPair()] = first;
     }
+    return corners;
   }
 
   /// Lists the edges of three or more faces.
   void FindSheaves()
   {
-    for (vtkIdType k = 0; k < this->Size; ++k)
-    {
-      const Id source = this->Entries[k].Source;
-      if (source >= this->Corners || this->Mesh.Twins[source] >= 0)
+    std::vector<std::pair<Id, Id>> found; // edges with their corners beyond the first
+    ForEachInTurn(this->Corners,
+      [&](vtkIdType corner)
       {
-        continue;
-      }
-      const Id edge = this->Mesh.Edges[source];
-      if (this->Mesh.EdgeCorners[edge] != source)
-      {
-        auto& sheaves = this->Mesh.Sheaves;
-        if (sheaves.empty() || sheaves.back().Edge != edge)
+        const Id edge = this->Mesh.Edges[corner];
+        if (this->Mesh.Twins[corner] < 0 && this->Mesh.EdgeCorners[edge] != corner)
         {
-          sheaves.push_back({ edge, { this->Mesh.EdgeCorners[edge] } });
+          found.emplace_back(edge, static_cast<Id>(corner));
         }
-        sheaves.back().Corners.push_back(source);
+      });
+    StableSort(found, std::less<>());
+    for (const auto& item : InTurn(found))
+    {
+      auto& sheaves = this->Mesh.Sheaves;
+      if (sheaves.empty() || sheaves.back().Edge != item.first)
+      {
+        sheaves.push_back({ item.first, { this->Mesh.EdgeCorners[item.first] } });
       }
+      sheaves.back().Corners.push_back(item.second);
     }
   }
 
   PolygonMesh<Id>& Mesh;
   const Buffer<Id>& Segments;
-  vtkIdType Corners;
-  vtkIdType Size;
-  Buffer<Id> First;
-  Buffer<Entry> Entries;
+  const vtkIdType Corners;
 };
+
+/// How many faces the fan of a corner has: one walk around a vertex where it is a cycle, else one
+/// to either side.
+template <typename Id>
+Id CountFan(const PolygonMesh<Id>& mesh, Id corner)
+{
+  Id count = 1;
+  for (FanStep<Id> step{ corner, true }; step.Advance(mesh); ++count)
+  {
+    if (step.Corner == corner)
+    {
+      return count;
+    }
+  }
+  for (FanStep<Id> step{ corner, false }; step.Advance(mesh);)
+  {
+    ++count;
+  }
+  return count;
+}
 
 /// Sets VertexCorners and Joints.
 template <typename Id>
@@ -189,22 +181,20 @@ void FindFans(PolygonMesh<Id>& mesh)
   const vtkIdType vertices = mesh.NumberOfVertices;
   Buffer<Id> counts(vertices, 0);
   mesh.VertexCorners = Buffer<Id>(vertices, static_cast<Id>(-1));
-  for (const vtkIdType fromLast : InTurn(mesh.GetNumberOfCorners()))
-  {
-    const vtkIdType c = mesh.GetNumberOfCorners() - 1 - fromLast;
-    mesh.VertexCorners[mesh.Vertices[c]] = static_cast<Id>(c);
-    ++counts[mesh.Vertices[c]];
-  }
+  const vtkIdType last = mesh.GetNumberOfCorners() - 1;
+  ForEachInTurn(last + 1,
+    [&](vtkIdType fromLast)
+    {
+      const Id vertex = mesh.Vertices[last - fromLast];
+      mesh.VertexCorners[vertex] = static_cast<Id>(last - fromLast);
+      ++counts[vertex];
+    });
   Buffer<unsigned char> isJoint(vertices);
   ForEach(vertices,
     [&](vtkIdType v)
     {
-      Id faces = 0;
-      if (mesh.VertexCorners[v] >= 0)
-      {
-        VisitFan(mesh, mesh.VertexCorners[v], [&](const FanStep<Id>&) { ++faces; });
-      }
-      isJoint[v] = faces != counts[v];
+      const Id corner = mesh.VertexCorners[v];
+      isJoint[v] = corner >= 0 && CountFan(mesh, corner) != counts[v];
     });
   for (const auto& sheaf : InTurn(mesh.Sheaves))
   {
@@ -212,23 +202,25 @@ void FindFans(PolygonMesh<Id>& mesh)
     isJoint[mesh.EdgeVertices[2 * sheaf.Edge + 1]] = 1;
   }
   std::vector<Id> freeEdges;
-  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
-  {
-    if (mesh.EdgeCorners[e] < 0)
+  ForEachInTurn(mesh.GetNumberOfEdges(),
+    [&](vtkIdType e)
     {
-      freeEdges.push_back(static_cast<Id>(e));
-      isJoint[mesh.EdgeVertices[2 * e]] = 1;
-      isJoint[mesh.EdgeVertices[2 * e + 1]] = 1;
-    }
-  }
-  for (const vtkIdType v : InTurn(vertices))
-  {
-    if (isJoint[v])
+      if (mesh.EdgeCorners[e] < 0)
+      {
+        freeEdges.push_back(static_cast<Id>(e));
+        isJoint[mesh.EdgeVertices[2 * e]] = 1;
+        isJoint[mesh.EdgeVertices[2 * e + 1]] = 1;
+      }
+    });
+  ForEachInTurn(vertices,
+    [&](vtkIdType v)
     {
-      mesh.VertexCorners[v] = static_cast<Id>(-2 - static_cast<vtkIdType>(mesh.Joints.size()));
-      mesh.Joints.push_back({ static_cast<Id>(v), {}, {} });
-    }
-  }
+      if (isJoint[v])
+      {
+        mesh.VertexCorners[v] = static_cast<Id>(-2 - static_cast<vtkIdType>(mesh.Joints.size()));
+        mesh.Joints.push_back({ static_cast<Id>(v), {}, {} });
+      }
+    });
   if (mesh.Joints.empty())
   {
     return;
@@ -289,10 +281,8 @@ PolygonMesh<Id> BuildPolygonMesh(PolygonList<Id>&& list, Buffer<Id>& segmentEdge
   const Buffer<Id>& offsets = list.FaceOffsets;
   const Id size = mesh.NumberOfFaces > 0 ? offsets[1] : 3;
   bool same = size <= 4;
-  for (const vtkIdType f : InTurn(mesh.NumberOfFaces))
-  {
-    same = same && offsets[f + 1] - offsets[f] == size;
-  }
+  ForEachInTurn(
+    mesh.NumberOfFaces, [&](vtkIdType f) { same = same && offsets[f + 1] - offsets[f] == size; });
   mesh.Arity = same ? static_cast<int>(size) : 0;
   if (!same)
   {
