@@ -41,13 +41,35 @@ void AddVertex(SurfaceCells& cells, vtkIdType cell, vtkIdType point)
   cells.VertexCells.push_back(cell);
 }
 
+bool AreTriangles(const SimplexList& simplices)
+{
+  const std::vector<unsigned char>& dimensions = simplices.Dimensions;
+  return std::all_of(dimensions.begin(), dimensions.end(), [](int d) { return d == 2; });
+}
+
+/// Takes the triangles of all cells.
+void TakeTriangles(SimplexList& triangles, SurfaceCells& cells)
+{
+  const vtkIdType size = triangles.GetNumberOfSimplices();
+  cells.Corners = std::move(triangles.Connectivity);
+  cells.FaceOffsets.resize(static_cast<std::size_t>(size) + 1);
+  cells.FaceCells.resize(static_cast<std::size_t>(size));
+  ForEach(size + 1, [&](vtkIdType i) { cells.FaceOffsets[i] = 3 * i; });
+  ForEach(size, [&](vtkIdType i) { cells.FaceCells[i] = i; });
+}
+
 SurfaceCells ReadSimplices(vtkPolyData* input, const vtkIdType* globalIds)
 {
-  const SimplicesOfCells simplices = CellsToSimplices(input, globalIds);
+  SimplicesOfCells simplices = CellsToSimplices(input, globalIds);
   SurfaceCells cells;
   cells.NumberOfPoints = simplices.Simplices.NumberOfPoints;
   cells.Warnings = simplices.Warnings;
   const std::size_t size = simplices.Simplices.Dimensions.size();
+  if (simplices.ParentCells.empty() && AreTriangles(simplices.Simplices))
+  {
+    TakeTriangles(simplices.Simplices, cells);
+    return cells;
+  }
   cells.Corners.reserve(simplices.Simplices.Connectivity.size());
   cells.FaceOffsets.reserve(size + 1);
   cells.FaceCells.reserve(size);
@@ -141,6 +163,11 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
         }
         break;
       default:
+        if (checked.States[cell] == CellState::Good)
+        {
+          AddFace(cells, cell, ids.Ids, ids.Size);
+          break;
+        }
         loop.assign(ids.Ids, ids.Ids + ids.Size);
         RemoveRepeated(loop);
         if (loop.size() < 3 || HasRepeated(loop))
