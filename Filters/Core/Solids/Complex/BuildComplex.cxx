@@ -53,19 +53,19 @@ struct PairNumbers
   /// Whether a pair has the number of an earlier one.
   bool IsRepeated(vtkIdType pair) const { return this->Firsts[(*this)[pair]] != pair; }
 
-  /// Calls visit(rank, begin, end) for the entries of each rank, too.
+  /// Calls visit(rank, first, begin, end) as PairIndex does, too.
   template <typename Visit>
   PairNumbers(const PairIndex<Id>& index, vtkIdType leading, const Visit& visit)
     : Ranks(index.GetNumberOfPairs())
     , Firsts(index.GetNumberOfRanks())
   {
     index.ForRanks(
-      [&](Id rank, Id, const PairEntry<Id>* begin, const PairEntry<Id>* end)
+      [&](Id rank, Id first, const PairEntry<Id>* begin, const PairEntry<Id>* end)
       {
         this->Firsts[rank] = begin->GetPair();
         std::for_each(
           begin, end, [&](const PairEntry<Id>& entry) { this->Ranks[entry.GetPair()] = rank; });
-        visit(rank, begin, end);
+        visit(rank, first, begin, end);
       });
     if (leading > 0)
     {
@@ -167,7 +167,8 @@ private:
   template <typename Use>
   void ForEdges(const Use& use) const;
   void FindEdges();
-  void TakeEdges();
+  bool TakeTriangles(Id edge, vtkIdType place, const Entry* begin, const Entry* end);
+  void PutLinesFirst();
   template <typename Use>
   void ForFaces(const Use& use) const;
   void FindFaces();
@@ -309,71 +310,73 @@ void ComplexBuilder<Id>::FindEdges()
       this->ForEdges(
         [&use](vtkIdType pair, Id a, Id b) { use(pair, std::min(a, b), std::max(a, b)); });
     });
-  Rows<Id>& faces = this->Complex.EdgeFaces;
+  const vtkIdType edges = index.GetNumberOfRanks();
+  this->Complex.EdgeVertices = Buffer<Id>(2 * edges);
   if (areTriangles && lines == 0)
   {
-    faces = { Buffer<Id>(index.GetNumberOfRanks() + vtkIdType(1)), Buffer<Id>(size) };
-    faces.Offsets[index.GetNumberOfRanks()] = static_cast<Id>(size);
+    this->Complex.EdgeFaces = { Buffer<Id>(edges + 1), Buffer<Id>(size) };
+    this->Complex.EdgeFaces.Offsets[edges] = static_cast<Id>(size);
   }
   std::atomic<bool> mayRepeat(false);
   this->Edges = PairNumbers<Id>(index, lines,
-    [&](Id rank, const Entry* begin, const Entry* end)
+    [&](Id rank, Id first, const Entry* begin, const Entry* end)
     {
-      if (!areTriangles)
-      {
-        return;
-      }
-      if (!faces.Offsets.empty())
-      {
-        const vtkIdType place = index.GetPlace(begin);
-        faces.Offsets[rank] = static_cast<Id>(place);
-        std::transform(begin, end, faces.Items.data() + place,
-          [](const Entry& entry) { return entry.GetPair() / 3; });
-      }
-      const Entry* first =
-        std::find_if(begin, end, [lines](const Entry& entry) { return entry.GetPair() >= lines; });
-      const auto opposite = [&](vtkIdType i)
-      {
-        const vtkIdType corner = first[i].GetPair() - lines;
-        return this->GetVertices(2, corner / 3)[triangle::VertexOpposite[corner % 3]];
-      };
-      if (MayHaveEqual<Id>(end - first, opposite))
+      Id* const ends = this->Complex.EdgeVertices.data() + 2 * vtkIdType(rank);
+      ends[0] = first;
+      ends[1] = begin->GetSecond();
+      if (areTriangles && this->TakeTriangles(rank, index.GetPlace(begin), begin, end))
       {
         mayRepeat = true;
       }
     });
   this->MayRepeatTriangles = mayRepeat;
-  this->TakeEdges();
+  this->Complex.NumberOfEdges = static_cast<Id>(edges);
+  if (lines > 0)
+  {
+    this->PutLinesFirst();
+  }
 }
 
-/// Edges for all pairs: line cells as they run, others from the smaller end to the larger.
+/// Takes the triangles at an edge, if there are triangles alone. Returns whether two may be equal.
 template <typename Id>
-void ComplexBuilder<Id>::TakeEdges()
+bool ComplexBuilder<Id>::TakeTriangles(
+  Id edge, vtkIdType place, const Entry* begin, const Entry* end)
 {
-  const vtkIdType firstOfTriangles = this->GetFirstEdge(2, 0);
-  const vtkIdType firstOfTets = this->GetFirstEdge(3, 0);
+  Rows<Id>& faces = this->Complex.EdgeFaces;
+  if (!faces.Offsets.empty())
+  {
+    faces.Offsets[edge] = static_cast<Id>(place);
+    std::transform(begin, end, faces.Items.data() + place,
+      [](const Entry& entry) { return entry.GetPair() / 3; });
+  }
+  const vtkIdType lines = this->Count(1);
+  const Entry* first =
+    std::find_if(begin, end, [lines](const Entry& entry) { return entry.GetPair() >= lines; });
+  return MayHaveEqual<Id>(end - first,
+    [&](vtkIdType i)
+    {
+      const vtkIdType corner = first[i].GetPair() - lines;
+      return this->GetVertices(2, corner / 3)[triangle::VertexOpposite[corner % 3]];
+    });
+}
+
+/// Edges that are line cells have the numbers of these, and run as the first of them does.
+template <typename Id>
+void ComplexBuilder<Id>::PutLinesFirst()
+{
   this->FindRepeats(1, this->Edges, this->Complex.EqualLines);
   this->Complex.NumberOfLineCells =
     static_cast<Id>(this->Count(1) - this->Complex.EqualLines.Twins.size());
-  this->Complex.NumberOfEdges = static_cast<Id>(this->Edges.Firsts.size());
-  this->Complex.EdgeVertices = Buffer<Id>(2 * this->Edges.Firsts.size());
-  ForEach(this->Edges.Firsts.size(),
-    [&](vtkIdType edge)
+  Buffer<Id> sorted = std::move(this->Complex.EdgeVertices);
+  this->Complex.EdgeVertices = Buffer<Id>(sorted.size());
+  ForEach(this->Complex.NumberOfEdges,
+    [&](vtkIdType rank)
     {
-      const vtkIdType pair = this->Edges.Firsts[edge];
-      Id* out = this->Complex.EdgeVertices.data() + 2 * edge;
-      if (pair < firstOfTriangles)
-      {
-        std::copy_n(this->GetVertices(1, pair), 2, out);
-        return;
-      }
-      const bool isOfTet = pair >= firstOfTets;
-      const vtkIdType local = isOfTet ? (pair - firstOfTets) % 6 : (pair - firstOfTriangles) % 3;
-      const Id* ids = isOfTet ? this->GetVertices(3, (pair - firstOfTets) / 6)
-                              : this->GetVertices(2, (pair - firstOfTriangles) / 3);
-      const int* ends = isOfTet ? tetrahedron::EdgeVertices[local] : triangle::EdgeVertices[local];
-      out[0] = std::min(ids[ends[0]], ids[ends[1]]);
-      out[1] = std::max(ids[ends[0]], ids[ends[1]]);
+      const Id edge = this->Edges.GetNumber(static_cast<Id>(rank));
+      const Id* ends = edge < this->Complex.NumberOfLineCells
+        ? this->GetVertices(1, this->Edges.Firsts[edge])
+        : sorted.data() + 2 * rank;
+      std::copy_n(ends, 2, this->Complex.EdgeVertices.data() + 2 * vtkIdType(edge));
     });
 }
 
@@ -501,7 +504,7 @@ void ComplexBuilder<Id>::SortFaces()
   }
   std::atomic<bool> mayRepeat(false);
   this->Faces = PairNumbers<Id>(index, triangles,
-    [&](Id rank, const Entry* begin, const Entry* end)
+    [&](Id rank, Id, const Entry* begin, const Entry* end)
     {
       if (triangles == 0)
       {
@@ -612,7 +615,7 @@ void ComplexBuilder<Id>::TakeDistinctTets()
           use(tet, complex.TetFaces[4 * tet + (largest - ids)], *largest);
         });
     });
-  const PairNumbers<Id> numbers(index, tets, [](Id, const Entry*, const Entry*) {});
+  const PairNumbers<Id> numbers(index, tets, [](Id, Id, const Entry*, const Entry*) {});
   this->FindRepeats(3, numbers, complex.EqualTets);
   if (!complex.EqualTets.Twins.empty())
   {
