@@ -101,7 +101,8 @@ private:
 };
 
 /// Whether a graph has one piece only: its nodes are the edges at a vertex that lie on accepted
-/// faces, one of them `start`, and its arcs are those faces.
+/// faces, one of them `start`, and its arcs are those faces. Each node must be on a cycle, so that
+/// the search may stop before the last two.
 template <typename Id>
 template <typename Accept>
 bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& accept) const
@@ -130,7 +131,7 @@ bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& a
   toVisit[left++] = start;
   areMet[find(start)] = 1;
   vtkIdType count = 1;
-  while (count < nodes && left > 0)
+  while (count + 2 < nodes && left > 0)
   {
     const Id edge = toVisit[--left];
     const Id far = this->Complex.GetOtherEnd(edge, vertex);
@@ -151,7 +152,7 @@ bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& a
       }
     }
   }
-  return count == nodes;
+  return count + 2 >= nodes;
 }
 
 template <typename Id>
