@@ -52,7 +52,7 @@ long long HashCells(vtkPointSet* mesh)
   std::vector<vtkIdType> scratch;
   for (vtkIdType i = 0; i < taken; ++i)
   {
-    const vtkIdType cell = taken < samples ? i : i * cells / taken;
+    const vtkIdType cell = taken < samples ? i : i * cells / samples; // a constant: no division
     const CellIds ids = reader.GetCell(cell, scratch);
     mix(reader.GetGridType(cell, ids.Size));
     std::for_each(ids.Ids, ids.Ids + ids.Size, mix);

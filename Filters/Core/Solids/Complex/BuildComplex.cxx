@@ -63,8 +63,10 @@ struct PairNumbers
       [&](Id rank, Id first, const PairEntry<Id>* begin, const PairEntry<Id>* end)
       {
         this->Firsts[rank] = begin->GetPair();
-        std::for_each(
-          begin, end, [&](const PairEntry<Id>& entry) { this->Ranks[entry.GetPair()] = rank; });
+        for (const PairEntry<Id>* entry = begin; entry < end; ++entry)
+        {
+          this->Ranks[entry->GetPair()] = rank;
+        }
         visit(rank, first, begin, end);
       });
     if (leading > 0)
@@ -342,22 +344,29 @@ template <typename Id>
 bool ComplexBuilder<Id>::TakeTriangles(
   Id edge, vtkIdType place, const Entry* begin, const Entry* end)
 {
-  Rows<Id>& faces = this->Complex.EdgeFaces;
-  if (!faces.Offsets.empty())
-  {
-    faces.Offsets[edge] = static_cast<Id>(place);
-    std::transform(begin, end, faces.Items.data() + place,
-      [](const Entry& entry) { return entry.GetPair() / 3; });
-  }
   const vtkIdType lines = this->Count(1);
-  const Entry* first =
-    std::find_if(begin, end, [lines](const Entry& entry) { return entry.GetPair() >= lines; });
-  return MayHaveEqual<Id>(end - first,
-    [&](vtkIdType i)
-    {
-      const vtkIdType corner = first[i].GetPair() - lines;
-      return this->GetVertices(2, corner / 3)[triangle::VertexOpposite[corner % 3]];
-    });
+  const auto opposite = [&](const Entry& entry)
+  {
+    const auto corner = static_cast<Id>(entry.GetPair() - lines);
+    return this->GetVertices(2, corner / 3)[triangle::VertexOpposite[corner % 3]];
+  };
+  Rows<Id>& faces = this->Complex.EdgeFaces;
+  if (faces.Offsets.empty())
+  {
+    const Entry* first =
+      std::find_if(begin, end, [lines](const Entry& entry) { return entry.GetPair() >= lines; });
+    return MayHaveEqual<Id>(end - first, [&](vtkIdType i) { return opposite(first[i]); });
+  }
+  faces.Offsets[edge] = static_cast<Id>(place);
+  if (end - begin == 2) // most edges; a loop would be compiled for long ones
+  {
+    faces.Items[place] = begin[0].GetPair() / 3;
+    faces.Items[place + 1] = begin[1].GetPair() / 3;
+    return opposite(begin[0]) == opposite(begin[1]);
+  }
+  std::transform(
+    begin, end, faces.Items.data() + place, [](const Entry& entry) { return entry.GetPair() / 3; });
+  return MayHaveEqual<Id>(end - begin, [&](vtkIdType i) { return opposite(begin[i]); });
 }
 
 /// Edges that are line cells have the numbers of these, and run as the first of them does.
