@@ -12,6 +12,7 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -329,6 +330,31 @@ TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
     EXPECT_EQ(ids->GetId(1), 1);
     EXPECT_EQ(ids->GetId(2), 3);
   }
+}
+
+TEST(SurfaceSubdivision, PolygonsWithARepeatedPointCollapseOrAreLeftOut)
+{
+  const std::vector<std::array<double, 3>> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 },
+    { 0, 1, 0 }, { 1, 1, 0 }, { 2, 1, 0 } };
+  // The second one names a point twice in a row, the third one at two places.
+  Filter filter(MakeSurface(points, { { 0, 1, 4, 3 }, { 1, 1, 2, 5, 4 }, { 0, 1, 2, 1, 4 } }));
+  filter->SetScheme(vtkSurfaceSubdivision::CATMULL_CLARK);
+  filter->SetNumberOfLevels(0);
+  vtkCellArray* polys = filter()->GetPolys();
+  ASSERT_EQ(polys->GetNumberOfCells(), 2);
+  const Ids expected[2] = { { 0, 1, 4, 3 }, { 1, 2, 5, 4 } };
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    polys->GetCellAtId(cell, ids);
+    EXPECT_EQ(Ids(ids->begin(), ids->end()), expected[cell]);
+  }
+  std::string all;
+  for (const std::string& warning : filter.Warnings)
+  {
+    all += warning;
+  }
+  EXPECT_NE(all.find("1 polygon(s) pass through a point twice"), std::string::npos) << all;
 }
 
 TEST(SurfaceSubdivision, UnusableArraysAreNamed)
