@@ -136,7 +136,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
 /// No levels: the filter has no such option.
 std::string CheckMemory(double cells, double points, double bytes, int levels)
 {
-  constexpr double littleMemory = 1 << 24; // to ask the system takes as long as 100 cells
+  constexpr double littleMemory = 2. * BytesOfPages; // to ask takes as long as 100 cells
   KeepEstimate(bytes);
   if (bytes * Sharers <= littleMemory)
   {
