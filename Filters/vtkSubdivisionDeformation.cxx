@@ -121,12 +121,21 @@ int vtkSubdivisionDeformation::ExecuteInformation(
   return 1;
 }
 
+vtkTypeBool vtkSubdivisionDeformation::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
+  {
+    this->Work->AwaitOutputs(); // the pipeline forgets them now, and then calls RequestData
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
 /// Whichever part of the input is asked for, the control meshes are needed whole.
 int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  this->Work->AwaitOutputs(); // the pipeline forgets them before it calls RequestData
   for (int port = 1; port < 3; ++port)
   {
     vtkInformation* info = inputVector[port]->GetInformationObject(0);

@@ -206,6 +206,10 @@ public:
    */
   vtkIdType GetNumberOfOutsidePoints() const;
 
+  /// For the pipeline.
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
 protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;

@@ -4,10 +4,12 @@
 #include "Core/Memory/Buffer.h"
 #include "Private/Arrays/Arrays.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <vector>
 
 namespace subdivision
 {
@@ -84,21 +86,25 @@ void ReturnedMemory::Await()
 
 void ReturnedMemory::Release()
 {
-  const std::lock_guard<std::mutex> lock(GetBlocks().Lock);
-  auto& all = GetBlocks().All;
-  for (auto next = all.begin(); next != all.end();)
+  std::vector<void*> unused; // to free them takes long, so others do not wait for it
   {
-    const auto at = next++;
-    if (at->second.Owner == this->Owner)
+    const std::lock_guard<std::mutex> lock(GetBlocks().Lock);
+    auto& all = GetBlocks().All;
+    for (auto next = all.begin(); next != all.end();)
     {
-      at->second.IsAwaited = false;
-      if (at->second.IsBack)
+      const auto at = next++;
+      if (at->second.Owner == this->Owner)
       {
-        std::free(at->first);
-        all.erase(at);
+        at->second.IsAwaited = false;
+        if (at->second.IsBack)
+        {
+          unused.push_back(at->first);
+          all.erase(at);
+        }
       }
     }
   }
+  std::for_each(unused.begin(), unused.end(), std::free);
 }
 
 /// Memory that came back, or null.

@@ -225,6 +225,7 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
   const bool isNew = !embedded;
   if (isNew)
   {
+    this->Outputs.Release(); // the peak is here, and others seldom have the same size
     ++this->Embedded.NumberOfBuilds;
     std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
     if (!made)

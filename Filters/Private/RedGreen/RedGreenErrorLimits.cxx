@@ -250,7 +250,8 @@ LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const Level<Id>& level
   {
     values = std::make_shared<LatticeValues<Id>>(level, this->Components);
   }
-  if (values->GetSize() > MostOnLattice)
+  constexpr std::size_t ofNames = 8; // beside the values of a vertex
+  if (values->GetSize() * (static_cast<std::size_t>(this->Components) + ofNames) > MostOnLattice)
   {
     values->Clear();
   }

@@ -74,7 +74,7 @@ private:
     int GetSize() const { return this->Corners[2] < 0 ? 2 : this->Corners[3] < 0 ? 3 : 4; }
   };
   static constexpr int PlacesOfSite = 3;
-  static constexpr std::size_t MostOnLattice = 1 << 18; ///< bounds what is kept of it
+  static constexpr std::size_t MostOnLattice = 1 << 22; ///< in numbers of 8 bytes, of each thread
   /// A place on the limit at which the error is measured, and the edge or triangle that stands for
   /// it.
   struct Sample

@@ -44,7 +44,14 @@ void AddVertex(SurfaceCells& cells, vtkIdType cell, vtkIdType point)
 bool AreTriangles(const SimplexList& simplices)
 {
   const std::vector<unsigned char>& dimensions = simplices.Dimensions;
-  return std::all_of(dimensions.begin(), dimensions.end(), [](int d) { return d == 2; });
+  for (const unsigned char dimension : InTurn(dimensions))
+  {
+    if (dimension != 2)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// Takes the triangles of all cells.

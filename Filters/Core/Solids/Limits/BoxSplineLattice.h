@@ -99,8 +99,8 @@ SharpSimplices<Id> FindSharpSimplices(
 /// It has the rules of vertices, edges and faces with d = 0 to 3, and Blend if that is wanted.
 /// Methods that return false have met another one, such as a joint that is sharp, or the limit of a
 /// neighbour of a control vertex where rules depend on the sector (SectorEdges.h), or something
-/// semi-sharp. Limits at vertices of the control level itself are not known at joints with Blend,
-/// whose first step differs. Threads have one each.
+/// semi-sharp. At joints with Blend nobody may ask for limits of vertices of the control level
+/// itself, whose first step differs. Threads have one each.
 template <typename Id>
 class BoxSplineLattice
 {

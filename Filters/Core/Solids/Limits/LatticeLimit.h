@@ -9,8 +9,9 @@
 
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/LimitRowMaker.h"
+#include "Core/Solids/Limits/VertexNumbers.h"
 
-#include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,15 @@ template <typename Lattice, typename Id>
 bool SolveLatticeLimit(const Lattice& lattice, const std::vector<LatticeVertex<Id>>& items,
   const std::vector<LatticeVertex<Id>>& next, std::vector<double>& weights)
 {
+  VertexNumbers<LatticeVertex<Id>> known;
+  std::vector<int> places; // where each of these is among the items first
+  for (std::size_t item = 0; item < items.size(); ++item)
+  {
+    if (known.GetNumber(items[item]) == places.size())
+    {
+      places.push_back(static_cast<int>(item));
+    }
+  }
   SolvedRows solved;
   LatticeRow<Id> row;
   for (const LatticeVertex<Id>& vertex : next)
@@ -48,12 +58,12 @@ bool SolveLatticeLimit(const Lattice& lattice, const std::vector<LatticeVertex<I
     solved.Rows.emplace_back();
     for (std::size_t k = 0; k < row.Vertices.size(); ++k)
     {
-      const auto item = std::find(items.begin(), items.end(), row.Vertices[k]);
-      if (item == items.end())
+      const std::ptrdiff_t number = known.Find(row.Vertices[k]);
+      if (number < 0)
       {
         return false;
       }
-      solved.Rows.back().emplace_back(static_cast<int>(item - items.begin()), row.Weights[k]);
+      solved.Rows.back().emplace_back(places[static_cast<std::size_t>(number)], row.Weights[k]);
     }
   }
   weights = SolveLimit(solved, Neighbourhood(), items.size());

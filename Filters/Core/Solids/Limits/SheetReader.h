@@ -28,7 +28,7 @@ struct SheetPatch
 };
 
 /// Whether the values at one vertex come before those at another. Where there are several patches,
-/// or orders of corners, this chooses one whichever order cells have.
+/// or orders of corners, this chooses one whichever order cells have, unless values are equal.
 inline bool AreValuesBefore(const double* values, vtkIdType components, vtkIdType a, vtkIdType b)
 {
   const double* of = values + components * a;

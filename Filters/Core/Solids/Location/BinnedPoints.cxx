@@ -26,10 +26,11 @@ void BinnedPoints::ChooseBins(int size)
     this->Bins[c] = 1;
     this->Scale[c] = 0.;
   }
+  constexpr double smallest = 1e-300; // sides of bins do not round to 0
   bool isThick[3];
   for (int c = 0; c < 3; ++c)
   {
-    isThick[c] = widths[c] > least * longest && std::isfinite(longest);
+    isThick[c] = widths[c] > least * longest && longest > smallest && std::isfinite(longest);
   }
   for (bool changed = true; changed;)
   {

@@ -40,7 +40,8 @@ public:
   int GetNumberOfTets() const { return this->Size; }
 
   /// For each of `size` points the first of the tetrahedra that hold it, with the weights of the
-  /// corners 1 to 3 (CompleteWeights in CornerRows.h); -1 if there is none.
+  /// corners 1 to 3 (CompleteWeights in CornerRows.h); -1 if there is none. A tetrahedron whose
+  /// volume is a denormal number may be missed.
   void Find(const double* points, int size, const HoldTolerances& tolerances, int* tets,
     double* weights) const;
 
