@@ -228,6 +228,36 @@ BoundsOfRows FindBounds(
 
 }
 
+int BinnedPoints::ListFew(const Box& box, int most, int* list) const
+{
+  int first[3];
+  int last[3];
+  for (int c = 0; c < 3; ++c)
+  {
+    first[c] = this->GetPlace(c, box.Low[c]);
+    last[c] = this->GetPlace(c, box.High[c]);
+  }
+  int found = 0;
+  for (int z = first[2]; z <= last[2]; ++z)
+  {
+    for (int y = first[1]; y <= last[1]; ++y)
+    {
+      const int* starts = this->Starts.data() + (z * this->Bins[1] + y) * this->Bins[0];
+      const int end = starts[last[0] + 1];
+      if (found + end - starts[first[0]] > most)
+      {
+        return -1;
+      }
+      for (int i = starts[first[0]]; i < end; ++i)
+      {
+        list[found] = i;
+        found += std::isnan(this->Singles[0][i]) ? 0 : 1;
+      }
+    }
+  }
+  return found;
+}
+
 const std::vector<std::pair<int, int>>& BinnedPoints::FindRows(
   const Box& box, const LinearBounds& bounds)
 {

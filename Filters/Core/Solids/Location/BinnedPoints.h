@@ -38,6 +38,10 @@ public:
   /// before `second` of each row. The box meets GetBox().
   const std::vector<std::pair<int, int>>& FindRows(const Box& box, const LinearBounds& bounds);
 
+  /// Lists the points in the bins that a box meets, besides those that are taken out, if they are
+  /// at most `most`. Returns how many there are; -1: more. The box meets GetBox().
+  int ListFew(const Box& box, int most, int* list) const;
+
   int GetId(int i) const { return this->Ids[this->Loaded[i]]; }
   double GetCoordinate(int c, int i) const { return this->Coordinates[c][this->Loaded[i]]; }
 

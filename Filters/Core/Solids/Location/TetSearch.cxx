@@ -396,9 +396,20 @@ void TetSearch::FindInTet(int tet, Group& group) const
   {
     return;
   }
+  constexpr int most = 16; // bounds cost more than the weights of so many points
+  const int few = points.ListFew(box, most, group.Listed.data());
+  if (few == 0)
+  {
+    return;
+  }
   const TetFrame frame(corners.Places);
   if (frame.IsFlat())
   {
+    return;
+  }
+  if (few > 0)
+  {
+    group.Decide(tet, frame, few);
     return;
   }
   const WeightBounds bounds(frame, box, points, -group.Tolerances.Loose);
