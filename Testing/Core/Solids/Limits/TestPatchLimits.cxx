@@ -199,12 +199,10 @@ private:
   std::vector<Place> Places;
 };
 
-}
-
-TEST(PatchLimits, EqualLocalLimitsOnTheWholeZoo)
+/// Calls check(case, name of the options) for each mesh with each of the options.
+template <typename Check>
+void ForCasesInZoo(const Check& check)
 {
-  int known = 0;
-  int all = 0;
   unsigned int seed = 1;
   for (const Mesh& mesh : MakeZooAndRandom())
   {
@@ -214,16 +212,36 @@ TEST(PatchLimits, EqualLocalLimitsOnTheWholeZoo)
       const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
       PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
       ++seed;
-      which.Compare();
+      check(which, options);
       if (testing::Test::HasFatalFailure())
       {
         return;
       }
-      known += which.Known;
-      all += which.GetSize();
     }
   }
+}
+
+/// The same, where an eighth of all places are to be known.
+template <typename Compare>
+void ExpectSomeKnownInZoo(const Compare& compare)
+{
+  int known = 0;
+  int all = 0;
+  ForCasesInZoo(
+    [&](PatchCase& which, const char*)
+    {
+      compare(which);
+      known += which.Known;
+      all += which.GetSize();
+    });
   EXPECT_GT(known, all / 8);
+}
+
+}
+
+TEST(PatchLimits, EqualLocalLimitsOnTheWholeZoo)
+{
+  ExpectSomeKnownInZoo([](PatchCase& which) { which.Compare(); });
 }
 
 /// Values that are no numbers make no limits elsewhere, and a place that no split reaches has none.
@@ -250,49 +268,19 @@ TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
 {
   const std::set<std::string> partly = { "Sharp", "Regional", "ModifiedBoundary", "ModifiedDart" };
   unsigned int seed = 1;
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    for (const char* options : OptionNames)
+  ForCasesInZoo(
+    [&](PatchCase& which, const char* options)
     {
-      SCOPED_TRACE(mesh.Name + " " + options);
-      const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
-      PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
-      ++seed;
-      which.CompareOnLattice(seed % 3 == 0 ? 50 : 100000);
-      if (testing::Test::HasFatalFailure())
-      {
-        return;
-      }
+      which.CompareOnLattice(++seed % 3 == 0 ? 50 : 100000);
       const int all = which.GetSize();
       EXPECT_GE(which.Known, partly.count(options) > 0 ? all / 2 : all);
-    }
-  }
+    });
 }
 
 /// Places that are not too close to a control vertex or a joint are in a regular part.
 TEST(LatticeParts, EqualLocalLimitsOnTheWholeZoo)
 {
-  int known = 0;
-  int all = 0;
-  unsigned int seed = 1;
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    for (const char* options : OptionNames)
-    {
-      SCOPED_TRACE(mesh.Name + " " + options);
-      const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
-      PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
-      ++seed;
-      which.CompareInParts();
-      if (testing::Test::HasFatalFailure())
-      {
-        return;
-      }
-      known += which.Known;
-      all += which.GetSize();
-    }
-  }
-  EXPECT_GT(known, all / 8);
+  ExpectSomeKnownInZoo([](PatchCase& which) { which.CompareInParts(); });
 }
 
 /// A place that is on no level, or in no simplex, has no limit.
