@@ -194,34 +194,23 @@ template <typename Id>
 template <typename Use>
 void ComplexBuilder<Id>::ForEdges(const Use& use) const
 {
-  ForEachInTurn(this->Count(1),
-    [&](vtkIdType line)
-    {
-      const Id* ids = this->GetVertices(1, line);
-      use(line, ids[0], ids[1]);
-    });
-  ForEachInTurn(this->Count(2),
-    [&](vtkIdType cell)
-    {
-      const Id* ids = this->GetVertices(2, cell);
-      const vtkIdType first = this->GetFirstEdge(2, cell);
-      for (int edge = 0; edge < 3; ++edge)
+  constexpr int line[1][2] = { { 0, 1 } };
+  const auto forCells = [&](int dimension, const auto& edges)
+  {
+    ForEachInTurn(this->Count(dimension),
+      [&](vtkIdType cell)
       {
-        const int* ends = triangle::EdgeVertices[edge];
-        use(first + edge, ids[ends[0]], ids[ends[1]]);
-      }
-    });
-  ForEachInTurn(this->Count(3),
-    [&](vtkIdType tet)
-    {
-      const Id* ids = this->GetVertices(3, tet);
-      const vtkIdType first = this->GetFirstEdge(3, tet);
-      for (int edge = 0; edge < 6; ++edge)
-      {
-        const int* ends = tetrahedron::EdgeVertices[edge];
-        use(first + edge, ids[ends[0]], ids[ends[1]]);
-      }
-    });
+        const Id* ids = this->GetVertices(dimension, cell);
+        vtkIdType pair = this->GetFirstEdge(dimension, cell);
+        for (const auto& ends : edges)
+        {
+          use(pair++, ids[ends[0]], ids[ends[1]]);
+        }
+      });
+  };
+  forCells(1, line);
+  forCells(2, triangle::EdgeVertices);
+  forCells(3, tetrahedron::EdgeVertices);
 }
 
 template <typename Id>
