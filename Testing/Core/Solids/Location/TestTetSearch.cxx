@@ -280,6 +280,15 @@ TEST(CoreTetSearch, PointsNextToZero)
     }
   }
   EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 3000);
+  // The smallest number apart: bins that divide it would be one for each point along each axis.
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      points[i][c] = (i >> c & 1) == 0 ? 0. : std::numeric_limits<double>::denorm_min();
+    }
+  }
+  EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 3000);
 }
 
 TEST(CoreTetSearch, PointsInTheBoxOfAFarCell)
