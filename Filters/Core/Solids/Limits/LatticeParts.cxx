@@ -282,8 +282,6 @@ void LatticeParts<Id>::Run(PatchTree& tree)
     }
     tree.Find(place->At, place->Limit);
   }
-  this->Places.clear();
-  this->Parts.Clear();
 }
 
 SUBDIVISION_COMPILE(class LatticeParts);

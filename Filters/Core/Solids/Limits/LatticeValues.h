@@ -34,6 +34,8 @@ public:
     , Components(components)
   {
   }
+  LatticeValues(const LatticeValues&) = delete; // one member refers to another
+  LatticeValues& operator=(const LatticeValues&) = delete;
 
   /// Finds the limit at a place of a control vertex, edge or face; `at`: the weights of its
   /// corners, as the complex lists them, multiples of 1/2^MostLatticeLevels. It is not a number
