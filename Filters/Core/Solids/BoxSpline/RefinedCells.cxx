@@ -2,11 +2,14 @@
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
+#include "Core/Solids/BoxSpline/SignOfChildren.h"
 #include "Core/Solids/Scheme/Chains.h"
 #include "Core/Solids/Scheme/EqualSimplices.h"
 
 #include "vtkCellType.h"
+
+#include <array>
+#include <utility>
 
 namespace subdivision
 {
@@ -46,13 +49,12 @@ const Id* GetVertices(const SimplicialComplex<Id>& complex, const CellRun& run)
 }
 
 /// Writes the children of a run's cells by `table`. lattice(i, points) gives the lattice points of
-/// the `Parents` cells that cell i of the complex consists of: itself, or its children. look(i,
-/// points) is called with them.
-template <int Parents, int Children, int Corners, typename Out, typename Lattice, typename Look>
-void WriteChildrenOfRun(const CellRun& run, const int (&table)[Children][Corners], Out* out,
-  const Lattice& lattice, const Look& look)
+/// the `Parents` cells that cell i of the complex consists of: itself, or its children.
+template <int Parents, int Children, int Corners, typename Out, typename Lattice>
+void WriteChildrenOfRun(
+  const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
 {
-  constexpr int size = Corners == 4 ? 10 : Corners * (Corners + 1) / 2; // of a lattice
+  constexpr int size = Corners * (Corners + 1) / 2; // of a lattice
   ForEach(run.Count,
     [&](vtkIdType i)
     {
@@ -69,29 +71,55 @@ void WriteChildrenOfRun(const CellRun& run, const int (&table)[Children][Corners
           }
         }
       }
-      look(i, points);
     });
 }
-template <int Parents, int Children, int Corners, typename Out, typename Lattice>
-void WriteChildrenOfRun(
-  const CellRun& run, const int (&table)[Children][Corners], Out* out, const Lattice& lattice)
+
+/// The place in a TetLattice of each corner of each child, one after the other.
+template <int Parents>
+constexpr auto MakeCornerPlaces()
 {
-  WriteChildrenOfRun<Parents>(run, table, out, lattice, [](vtkIdType, const Out*) {});
+  std::array<unsigned char, 32 * Parents> places{};
+  std::size_t next = 0;
+  for (const auto& points : TetLatticeOf<Parents>.Points)
+  {
+    for (const auto& child : tetrahedron::Children)
+    {
+      for (const int corner : child)
+      {
+        places[next++] = points[static_cast<std::size_t>(corner)];
+      }
+    }
+  }
+  return places;
+}
+
+/// Writes the children without a loop, so that places are constants.
+template <int Parents, typename Out, std::size_t... Corner>
+void WriteByTable(const Out* ids, Out* out, std::index_sequence<Corner...>)
+{
+  constexpr auto places = MakeCornerPlaces<Parents>();
+  ((out[Corner] = ids[places[Corner]]), ...);
 }
 
 /// The same for tetrahedra, with a look at their volumes. `signs`: one for each cell of the run, or
-/// null.
+/// null. lattice(i, points) gives the points of the TetLattice.
 template <int Parents, typename Out, typename Lattice>
 void WriteChildrenOfTets(const CellRun& run, Out* out, const Lattice& lattice,
   const StoredPoints& points, signed char* signs)
 {
-  WriteChildrenOfRun<Parents>(run, tetrahedron::Children, out, lattice,
-    [&points, signs](vtkIdType i, const Out* lattices)
+  ForRanges(run.Count,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      if (signs)
+      SignOfChildren<Parents> sign(points, signs);
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        signs[i] = GetSignOfChildren<Parents>(lattices, points);
+        Out ids[TetLattice<Parents>::Size];
+        lattice(run.First + i, ids);
+        WriteByTable<Parents>(
+          ids, out + i * (32 * Parents), std::make_index_sequence<32 * Parents>());
+        sign.Add(ids, i);
       }
+      sign.Finish();
     });
 }
 
@@ -109,24 +137,6 @@ void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, 
     for (int k = 0; k < edgesOfCell; ++k)
     {
       *points++ = static_cast<Out>(midpoints + edges[edgesOfCell * i + k]);
-    }
-  }
-}
-
-/// The lattice points of the children of a tetrahedron.
-template <typename Id, typename Out>
-void CopyChildLattices(const SolidParts<MarkedTetShape, Id>& parts, Id midpoints, Out* points)
-{
-  const auto& table = Children<MarkedTetShape, MarkedTetShape>;
-  for (std::size_t c = 0; c < table.Size; ++c)
-  {
-    for (int point : table.Points[c])
-    {
-      *points++ = static_cast<Out>(parts.Lattice.Points[point]);
-    }
-    for (int place : table.Edges[c])
-    {
-      *points++ = static_cast<Out>(midpoints + parts.Edges[place]);
     }
   }
 }
@@ -340,11 +350,14 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
       default:
         WriteChildrenOfTets<8>(
           run, connectivity,
-          [&](vtkIdType i, Out* lattices)
+          [&](vtkIdType i, Out* lattice)
           {
             const SolidParts<MarkedTetShape, Id> parts(
               complex, GetTets(complex), ids, static_cast<Id>(i));
-            CopyChildLattices(parts, midpoints, lattices);
+            lattice =
+              std::copy(std::begin(parts.Lattice.Points), std::end(parts.Lattice.Points), lattice);
+            std::transform(std::begin(parts.Edges), std::end(parts.Edges), lattice,
+              [midpoints](Id edge) { return static_cast<Out>(midpoints + edge); });
           },
           points, signs);
         break;

@@ -7,12 +7,28 @@
 #define SubdivisionObjects_RefinedCells_h
 
 #include "Core/Solids/BoxSpline/Refinement.h"
-#include "Core/Solids/BoxSpline/SignOfChildren.h"
 
 #include <vector>
 
 namespace subdivision
 {
+
+/// Coordinates as they are stored; without any nothing is known of volumes.
+struct StoredPoints
+{
+  StoredPoints() = default;
+  StoredPoints(const float* values)
+    : Single(values)
+  {
+  }
+  StoredPoints(const double* values)
+    : Double(values)
+  {
+  }
+
+  const float* Single = nullptr;
+  const double* Double = nullptr;
+};
 
 /// Where the cells go; the sizes are those that CountCells tells.
 template <typename Out>

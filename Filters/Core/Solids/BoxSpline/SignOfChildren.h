@@ -2,127 +2,296 @@
 /**
  * @file SignOfChildren.h
  * The sign of the volumes of the children of tetrahedra, told from their lattice points while these
- * are at hand: reading the cells of an output once more takes longer than writing them.
+ * are at hand: reading the cells of an output once more takes longer than writing them. Four
+ * tetrahedra are looked at side by side, first in single precision: what rounds there by less than
+ * a volume has the sign of that volume.
  */
 #ifndef SubdivisionObjects_SignOfChildren_h
 #define SubdivisionObjects_SignOfChildren_h
 
-#include "vtkType.h"
+#include "Core/Solids/BoxSpline/BoxSplineSplit.h"
+#include "Core/Solids/BoxSpline/RefinedCells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace subdivision
 {
 
-/// Coordinates as they are stored; without any nothing is known of volumes.
-struct StoredPoints
+/// The lattice points of a tetrahedron and those of its children, of which there are `Parents` with
+/// a lattice: 1, the tetrahedron itself, or 8 after a step. The points are numbered: lattice points
+/// of the tetrahedron, then the midpoints of the edges of its children by place (SolidShapes.h).
+template <int Parents>
+struct TetLattice
 {
-  StoredPoints() = default;
-  StoredPoints(const float* values)
-    : Single(values)
-  {
-  }
-  StoredPoints(const double* values)
-    : Double(values)
-  {
-  }
+  static constexpr int Size = Parents == 1 ? 10 : 35;
+  std::array<std::array<unsigned char, 10>, Parents> Points{};
 
-  const float* Single = nullptr;
-  const double* Double = nullptr;
-};
-
-namespace children_volumes
-{
-struct Vector
-{
-  double X, Y, Z;
-};
-inline Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
-}
-inline double Dot(const Vector& a, const Vector& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-}
-
-/// The sign that the volumes of all 8 children (tetrahedron::Children) of `Parents` tetrahedra
-/// have; 0: several, or that is not known, because products may overflow or vanish. `lattices`: the
-/// 10 lattice points of each. A volume that rounds to the wrong sign belongs to a flat child.
-template <int Parents, typename Out, typename T>
-signed char GetSignOfChildren(const Out* lattices, const T* values)
-{
-  using namespace children_volumes;
-  constexpr double least = 1e-250;
-  constexpr double largest = 1e250;
-  double at[10][3][Parents];
-  for (int p = 0; p < Parents; ++p)
+  constexpr TetLattice()
   {
-    for (int k = 0; k < 10; ++k)
+    constexpr const auto& children = Children<MarkedTetShape, MarkedTetShape>;
+    for (std::size_t p = 0; p < Parents; ++p)
     {
-      const T* value = values + 3 * static_cast<vtkIdType>(lattices[10 * p + k]);
-      for (int c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < 10; ++k)
       {
-        at[k][c][p] = static_cast<double>(value[c]);
+        const int point = Parents == 1 ? static_cast<int>(k)
+          : k < 4                      ? children.Points[p][k]
+                                       : 10 + children.Edges[p][k - 4];
+        this->Points[p][k] = static_cast<unsigned char>(point);
       }
     }
   }
-  // Loops over the parents, so that compilers use vectors.
-  double smallest[Parents];
-  double greatest[Parents];
-  double sums[Parents];
-  for (int p = 0; p < Parents; ++p)
-  {
-    const auto minus = [&at, p](int a, int b)
-    {
-      return Vector{ at[a][0][p] - at[b][0][p], at[a][1][p] - at[b][1][p],
-        at[a][2][p] - at[b][2][p] };
-    };
-    double small = largest;
-    double great = -largest;
-    double sum = 0.;
-    const auto add = [&small, &great, &sum](double volume)
-    {
-      small = volume < small ? volume : small;
-      great = volume > great ? volume : great;
-      sum += volume; // tells of volumes that are no numbers, too
-    };
-    const auto addTet = [&minus, &add](int a, int b, int c, int d)
-    { add(Dot(minus(b, a), Cross(minus(c, a), minus(d, a)))); };
-    addTet(0, 4, 5, 6);
-    addTet(1, 4, 8, 7);
-    addTet(2, 5, 7, 9);
-    addTet(3, 6, 9, 8);
-    // The four children in the middle have the diagonal from 5 to 8, and in pairs a triangle at it.
-    const Vector diagonal = minus(8, 5);
-    const Vector sixth = Cross(diagonal, minus(6, 5));
-    const Vector seventh = Cross(minus(7, 5), diagonal);
-    const Vector fourth = minus(4, 5);
-    const Vector ninth = minus(5, 9);
-    add(Dot(fourth, sixth));
-    add(Dot(fourth, seventh));
-    add(Dot(ninth, sixth));
-    add(Dot(ninth, seventh));
-    smallest[p] = small;
-    greatest[p] = great;
-    sums[p] = sum;
-  }
-  int positive = 0;
-  int negative = 0;
-  for (int p = 0; p < Parents; ++p)
-  {
-    positive += smallest[p] > least && sums[p] < largest ? 1 : 0;
-    negative += greatest[p] < -least && sums[p] > -largest ? 1 : 0;
-  }
-  return positive == Parents ? 1 : negative == Parents ? -1 : 0;
+};
+template <int Parents>
+constexpr TetLattice<Parents> TetLatticeOf{};
+
+namespace children_volumes
+{
+template <typename Real>
+struct Vector
+{
+  Real X, Y, Z;
+};
+template <typename Real>
+Vector<Real> Cross(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+template <typename Real>
+Real Dot(const Vector<Real>& a, const Vector<Real>& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
 
-template <int Parents, typename Out>
-signed char GetSignOfChildren(const Out* lattices, const StoredPoints& points)
+/// How many tetrahedra are looked at side by side: as many as compilers put into one vector.
+constexpr int Lanes = 4;
+template <typename Real>
+using Coordinate = Real[Lanes];
+
+/// The least and the greatest volume in each of the tetrahedra, times 6, and the sum of all, which
+/// tells of volumes that are no numbers, too.
+template <typename Real>
+struct Volumes
 {
-  return points.Single ? GetSignOfChildren<Parents>(lattices, points.Single)
-    : points.Double    ? GetSignOfChildren<Parents>(lattices, points.Double)
-                       : 0;
+  Real Least[Lanes];
+  Real Greatest[Lanes];
+  Real Sums[Lanes];
+};
+
+/// The volumes of the eight children with these lattice points, each of three coordinates.
+template <typename Real>
+Volumes<Real> FindVolumes(const std::array<const Coordinate<Real>*, 10>& at)
+{
+  Volumes<Real> volumes;
+  for (int lane = 0; lane < Lanes; ++lane)
+  {
+    const auto minus = [&at, lane](std::size_t a, std::size_t b)
+    {
+      return Vector<Real>{ at[a][0][lane] - at[b][0][lane], at[a][1][lane] - at[b][1][lane],
+        at[a][2][lane] - at[b][2][lane] };
+    };
+    // Each child in the middle has the diagonal from 5 to 8 as an edge, and shares the triangle
+    // opposite to one of its ends with a child at a corner.
+    const Vector<Real> diagonal = minus(8, 5);
+    Real least = std::numeric_limits<Real>::max();
+    Real greatest = -least;
+    Real sum = Real(0);
+    const auto add = [&least, &greatest, &sum](Real volume)
+    {
+      least = volume < least ? volume : least;
+      greatest = volume > greatest ? volume : greatest;
+      sum += volume;
+    };
+    const auto addPair = [&](const Vector<Real>& triangle, const Vector<Real>& corner)
+    {
+      add(Dot(triangle, diagonal));
+      add(Dot(triangle, corner));
+    };
+    addPair(Cross(minus(6, 5), minus(4, 5)), minus(5, 0));
+    addPair(Cross(minus(7, 5), minus(9, 5)), minus(5, 2));
+    addPair(Cross(minus(4, 8), minus(7, 8)), minus(1, 8));
+    addPair(Cross(minus(9, 8), minus(6, 8)), minus(3, 8));
+    volumes.Least[lane] = least;
+    volumes.Greatest[lane] = greatest;
+    volumes.Sums[lane] = sum;
+  }
+  return volumes;
 }
+}
+
+/// Finds the sign that the volumes of all children of a tetrahedron have (tetrahedron::Children),
+/// or of all their children; 0: several, or that is not known, because products may overflow or
+/// vanish. A volume that rounds to the wrong sign belongs to a flat child.
+template <int Parents>
+class SignOfChildren
+{
+public:
+  static constexpr int Size = TetLattice<Parents>::Size;
+
+  /// `signs`: where they go, one for each tetrahedron; null: nothing is done.
+  SignOfChildren(const StoredPoints& points, signed char* signs)
+    : Points(points)
+    , Signs(points.Single || points.Double ? signs : nullptr)
+  {
+  }
+  /// Takes the points of a tetrahedron, whose sign goes to `place`.
+  template <typename Id>
+  void Add(const Id (&lattice)[Size], vtkIdType place)
+  {
+    if (!this->Signs)
+    {
+      return;
+    }
+    this->Points.Single ? this->Read(lattice, this->Points.Single)
+                        : this->Read(lattice, this->Points.Double);
+    this->Places[this->Count] = place;
+    if (++this->Count == Lanes)
+    {
+      this->Finish();
+    }
+  }
+  /// Stores the signs of the last ones, which are less than a vector.
+  void Finish()
+  {
+    signed char signs[Lanes];
+    if (this->Count > 0 && !this->FindInSingle(signs))
+    {
+      this->FindInDouble(signs);
+    }
+    for (int lane = 0; lane < this->Count; ++lane)
+    {
+      this->Signs[this->Places[lane]] = signs[lane];
+    }
+    this->Count = 0;
+  }
+
+private:
+  static constexpr int Lanes = children_volumes::Lanes;
+  template <typename Real>
+  using Lattice = children_volumes::Coordinate<Real>[Size][3];
+
+  template <typename Id, typename T>
+  void Read(const Id (&lattice)[Size], const T* values)
+  {
+    for (int k = 0; k < Size; ++k)
+    {
+      const T* value = values + 3 * static_cast<vtkIdType>(lattice[k]);
+      for (int c = 0; c < 3; ++c)
+      {
+        this->At[k][c][this->Count] = static_cast<double>(value[c]);
+      }
+    }
+  }
+  template <typename Real>
+  static children_volumes::Volumes<Real> FindVolumes(const Lattice<Real>& at)
+  {
+    children_volumes::Volumes<Real> all;
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      all.Least[lane] = std::numeric_limits<Real>::max();
+      all.Greatest[lane] = -all.Least[lane];
+      all.Sums[lane] = Real(0);
+    }
+    for (const auto& places : TetLatticeOf<Parents>.Points)
+    {
+      std::array<const children_volumes::Coordinate<Real>*, 10> points;
+      for (std::size_t k = 0; k < 10; ++k)
+      {
+        points[k] = at[places[k]];
+      }
+      const auto volumes = children_volumes::FindVolumes<Real>(points);
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        all.Least[lane] = std::min(all.Least[lane], volumes.Least[lane]);
+        all.Greatest[lane] = std::max(all.Greatest[lane], volumes.Greatest[lane]);
+        all.Sums[lane] += volumes.Sums[lane];
+      }
+    }
+    return all;
+  }
+
+  /// Returns whether all signs are known then.
+  bool FindInSingle(signed char (&signs)[Lanes]) const
+  {
+    // With coordinates up to r, which round by 2^-24 r at most, a volume rounds by less than
+    // 530 r^3 / 2^24: differences by 4, products of two by 48, and sums of three with these by 530.
+    constexpr float part = 4e-5F;
+    constexpr float nearest = 1e-10F; // so that no product leaves the range of numbers
+    constexpr float farthest = 1e10F;
+    Lattice<float> at;
+    float reach[Lanes];
+    this->Move(at, reach);
+    const auto volumes = FindVolumes<float>(at);
+    bool isKnown = true;
+    for (int lane = 0; lane < this->Count; ++lane)
+    {
+      const float r = reach[lane];
+      const float bound = part * r * r * r;
+      const bool isInRange =
+        r > nearest && r < farthest && volumes.Sums[lane] - volumes.Sums[lane] == 0.F;
+      signs[lane] = volumes.Least[lane] > bound ? 1 : volumes.Greatest[lane] < -bound ? -1 : 0;
+      isKnown = isKnown && isInRange && signs[lane] != 0;
+    }
+    return isKnown;
+  }
+  /// The points beside the middle of the diagonal in single precision, and the largest of their
+  /// coordinates.
+  void Move(Lattice<float>& at, float (&reach)[Lanes]) const
+  {
+    double middle[3][Lanes];
+    for (int c = 0; c < 3; ++c)
+    {
+      for (int lane = 0; lane < Lanes; ++lane)
+      {
+        middle[c][lane] = (this->At[5][c][lane] + this->At[8][c][lane]) / 2.;
+      }
+    }
+    for (int k = 0; k < Size; ++k)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        for (int lane = 0; lane < Lanes; ++lane)
+        {
+          at[k][c][lane] = static_cast<float>(this->At[k][c][lane] - middle[c][lane]);
+        }
+      }
+    }
+    for (int lane = 0; lane < Lanes; ++lane)
+    {
+      float farthest = 0.F;
+      for (int k = 0; k < Size; ++k)
+      {
+        for (int c = 0; c < 3; ++c)
+        {
+          const float distance = std::abs(at[k][c][lane]);
+          farthest = distance > farthest ? distance : farthest;
+        }
+      }
+      reach[lane] = farthest;
+    }
+  }
+  void FindInDouble(signed char (&signs)[Lanes]) const
+  {
+    constexpr double least = 1e-250;
+    constexpr double largest = 1e250;
+    const auto volumes = FindVolumes<double>(this->At);
+    for (int lane = 0; lane < this->Count; ++lane)
+    {
+      const double sum = volumes.Sums[lane];
+      signs[lane] = volumes.Least[lane] > least && sum < largest ? 1
+        : volumes.Greatest[lane] < -least && sum > -largest      ? -1
+                                                                 : 0;
+    }
+  }
+
+  const StoredPoints Points;
+  signed char* const Signs;
+  int Count = 0; ///< of tetrahedra whose signs are not stored yet
+  vtkIdType Places[Lanes];
+  Lattice<double> At = {}; ///< lanes beyond Count have any numbers
+};
 
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestSignOfChildren.cxx
- * The sign of the volumes of the children of tetrahedra, beside the orientation of each child.
+ * The sign of the volumes of the children of tetrahedra, and of their children, beside the
+ * orientation of each of them.
  */
 #include "Core/Solids/BoxSpline/SignOfChildren.h"
-#include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/Location/TetFrame.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -19,105 +20,196 @@ using namespace subdivision;
 namespace
 {
 
-constexpr int Parents = 8;
-
-/// Lattices of tetrahedra, each with points of its own, that are moved by up to `noise`.
+/// Some tetrahedra, each with points of its own. They are not as many as are looked at together.
+template <int Parents>
 struct Lattices
 {
-  explicit Lattices(double noise, bool turned = false)
-    : Ids(10 * Parents)
+  static constexpr int Size = TetLattice<Parents>::Size;
+  static constexpr int Tets = 7;
+
+  /// Points are moved by up to `noise`, then made `thin` beside a plane across all axes.
+  explicit Lattices(double noise = 0., double thin = 1., unsigned seed = 7)
+    : Points(3 * Size * Tets)
   {
-    std::iota(this->Ids.begin(), this->Ids.end(), 0);
-    std::mt19937 random(7);
+    std::mt19937 random(seed);
     std::uniform_real_distribution<double> move(-noise, noise);
-    const double corners[4][3] = { { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } };
-    for (int p = 0; p < Parents; ++p)
+    for (int t = 0; t < Tets; ++t)
     {
-      for (int k = 0; k < 10; ++k)
+      this->At(t, 1)[0] = this->At(t, 2)[1] = this->At(t, 3)[2] = 1.;
+      this->FillMidpoints(t, TetLatticeOf<1>);
+      this->FillMidpoints(t, TetLatticeOf<Parents>);
+    }
+    for (double& value : this->Points)
+    {
+      value += move(random);
+    }
+    this->Scale(1., 1., thin);
+    for (std::size_t i = 0; i < this->Points.size() && thin != 1.; i += 3)
+    {
+      this->Points[i + 2] += 0.7 * this->Points[i] - 0.4 * this->Points[i + 1];
+    }
+  }
+  template <int N>
+  void FillMidpoints(int tet, const TetLattice<N>& lattice)
+  {
+    for (const auto& points : lattice.Points)
+    {
+      for (int k = 4; k < 10; ++k)
       {
-        const int a = k < 4 ? k : tetrahedron::EdgeVertices[k - 4][0];
-        const int b = k < 4 ? k : tetrahedron::EdgeVertices[k - 4][1];
+        const auto& ends = tetrahedron::EdgeVertices[k - 4];
         for (int c = 0; c < 3; ++c)
         {
-          const double middle = (corners[a][c] + corners[b][c]) / 2. + move(random);
-          this->Points.push_back(turned ? -middle : middle);
+          this->At(tet, points[k])[c] =
+            (this->At(tet, points[ends[0]])[c] + this->At(tet, points[ends[1]])[c]) / 2.;
         }
       }
     }
   }
-  int GetSign() const { return GetSignOfChildren<Parents>(this->Ids.data(), this->Points.data()); }
-  /// How many children have this orientation.
-  int Count(int orientation) const
+  double* At(int tet, int point) { return this->Points.data() + 3 * (Size * tet + point); }
+  void Scale(double x, double y, double z)
+  {
+    for (std::size_t i = 0; i < this->Points.size(); i += 3)
+    {
+      this->Points[i] *= x;
+      this->Points[i + 1] *= y;
+      this->Points[i + 2] *= z;
+    }
+  }
+  std::vector<int> GetSigns(const StoredPoints& points) const
+  {
+    std::vector<signed char> signs(Tets, 5);
+    SignOfChildren<Parents> sign(points, signs.data());
+    for (int t = 0; t < Tets; ++t)
+    {
+      int ids[Size];
+      std::iota(ids, ids + Size, Size * t);
+      sign.Add(ids, t);
+    }
+    sign.Finish();
+    return { signs.begin(), signs.end() };
+  }
+  std::vector<int> GetSigns() const { return this->GetSigns(this->Points.data()); }
+  /// How many children of a tetrahedron have this orientation.
+  int Count(int tet, int orientation)
   {
     int count = 0;
-    for (int p = 0; p < Parents; ++p)
+    for (const auto& points : TetLatticeOf<Parents>.Points)
     {
       for (const auto& child : tetrahedron::Children)
       {
         const double* corners[4];
         for (int k = 0; k < 4; ++k)
         {
-          corners[k] = this->Points.data() + 3 * this->Ids[10 * p + child[k]];
+          corners[k] = this->At(tet, points[child[k]]);
         }
         count += GetOrientationOfTet(corners) == orientation ? 1 : 0;
       }
     }
     return count;
   }
+  /// No sign contradicts the orientation of a child.
+  void ExpectNoWrongSign(const char* what)
+  {
+    const std::vector<int> signs = this->GetSigns();
+    for (int t = 0; t < Tets; ++t)
+    {
+      EXPECT_TRUE(signs[t] == 0 || this->Count(t, -signs[t]) == 0) << what << ", " << t;
+    }
+  }
 
-  std::vector<int> Ids;
   std::vector<double> Points;
 };
 
+template <typename Parents>
+struct SignOfChildrenTest : testing::Test
+{
+  using SomeTets = Lattices<Parents::value>;
+  static std::vector<int> All(int sign) { return std::vector<int>(SomeTets::Tets, sign); }
+};
+using AllParents = testing::Types<std::integral_constant<int, 1>, std::integral_constant<int, 8>>;
+TYPED_TEST_SUITE(SignOfChildrenTest, AllParents, );
+
 }
 
-TEST(SignOfChildren, IsThatOfEachChild)
+TYPED_TEST(SignOfChildrenTest, IsThatOfEachChild)
 {
-  for (const bool turned : { false, true })
+  for (const int sign : { 1, -1 })
   {
-    const Lattices lattices(0.05, turned);
-    EXPECT_EQ(lattices.GetSign(), turned ? -1 : 1);
-    EXPECT_EQ(lattices.Count(turned ? -1 : 1), 8 * Parents);
-    const std::vector<float> single(lattices.Points.begin(), lattices.Points.end());
-    EXPECT_EQ(GetSignOfChildren<Parents>(lattices.Ids.data(), StoredPoints(single.data())),
-      turned ? -1 : 1);
+    typename TestFixture::SomeTets some(0.02);
+    some.Scale(sign, 1., 1.);
+    EXPECT_EQ(some.Count(3, sign), 8 * TypeParam::value);
+    EXPECT_EQ(some.GetSigns(), this->All(sign));
+    const std::vector<float> single(some.Points.begin(), some.Points.end());
+    EXPECT_EQ(some.GetSigns(single.data()), this->All(sign));
   }
 }
 
-TEST(SignOfChildren, OneChildOfManyIsSeen)
+TYPED_TEST(SignOfChildrenTest, OneChildOfManyIsSeen)
 {
-  const Lattices even(0.);
-  for (int point = 0; point < 10 * Parents; ++point)
+  using Some = typename TestFixture::SomeTets;
+  for (int point = 0; point < Some::Size * Some::Tets; ++point)
   {
-    // Moved far through the middle of the parent, a point turns a child over.
-    Lattices moved = even;
-    const int parent = point / 10;
+    // Moved far through a place in the tetrahedron, a point turns a child over.
+    Some some;
+    const int tet = point / Some::Size;
     for (int c = 0; c < 3; ++c)
     {
-      double middle = 0.;
-      for (int k = 0; k < 4; ++k)
-      {
-        middle += even.Points[3 * (10 * parent + k) + c] / 4.;
-      }
-      moved.Points[3 * point + c] += 3. * (middle - moved.Points[3 * point + c]);
+      constexpr double inside[3] = { 0.4, 0.1, 0.15 };
+      some.Points[3 * point + c] += 3. * (inside[c] - some.Points[3 * point + c]);
     }
-    EXPECT_GT(moved.Count(-1), 0) << point;
-    EXPECT_EQ(moved.GetSign(), 0) << point;
+    EXPECT_GT(some.Count(tet, -1), 0) << point;
+    std::vector<int> expected = this->All(1);
+    expected[tet] = 0;
+    EXPECT_EQ(some.GetSigns(), expected) << point;
   }
 }
 
-TEST(SignOfChildren, IsNotKnownWithoutNumbers)
+TYPED_TEST(SignOfChildrenTest, IsNotKnownWithoutNumbers)
 {
-  EXPECT_EQ(GetSignOfChildren<Parents>(Lattices(0.).Ids.data(), StoredPoints()), 0);
+  using Some = typename TestFixture::SomeTets;
+  EXPECT_EQ(Some().GetSigns(StoredPoints()), this->All(5));
   for (const double value : { std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity(), 1e200, -1e200 })
   {
-    for (int point = 0; point < 10 * Parents; ++point)
+    for (int point = 0; point < Some::Size * Some::Tets; ++point)
     {
-      Lattices lattices(0.);
-      lattices.Points[3 * point + 1] = value;
-      const int sign = lattices.GetSign();
-      EXPECT_TRUE(sign == 0 || lattices.Count(-sign) == 0) << value << " at " << point;
+      Some some;
+      some.Points[3 * point + 1] = value;
+      some.ExpectNoWrongSign("one value is none");
+      const std::vector<int> signs = some.GetSigns();
+      EXPECT_GE(std::count(signs.begin(), signs.end(), 1) + 1, Some::Tets) << value << point;
+    }
+  }
+}
+
+TYPED_TEST(SignOfChildrenTest, AnySizeAndPlaceIsKnown)
+{
+  using Some = typename TestFixture::SomeTets;
+  for (const double size : { 1e-60, 1e-20, 1e-9, 1e9, 1e20, 1e60 })
+  {
+    Some some(0.02);
+    some.Scale(size, size, size);
+    EXPECT_EQ(some.GetSigns(), this->All(1)) << size;
+  }
+  Some far(0.02);
+  for (double& value : far.Points)
+  {
+    value += 1e9;
+  }
+  EXPECT_EQ(far.GetSigns(), this->All(1));
+}
+
+// In single precision their volumes round to any sign.
+TYPED_TEST(SignOfChildrenTest, ThinSolidsAreKnown)
+{
+  using Some = typename TestFixture::SomeTets;
+  for (double thin = 1e-3; thin > 1e-9; thin /= 10.)
+  {
+    EXPECT_EQ(Some(0.02, thin).GetSigns(), this->All(1)) << thin;
+    EXPECT_EQ(Some(0.02, -thin).GetSigns(), this->All(-1)) << thin;
+    for (unsigned seed = 0; seed < 50; ++seed)
+    {
+      Some(0.08, thin, seed).ExpectNoWrongSign("children of any sign");
     }
   }
 }
