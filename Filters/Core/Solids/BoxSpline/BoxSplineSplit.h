@@ -175,6 +175,13 @@ private:
     RingCounter<Id> Open(int, Id) const { return {}; }
     void Close(int corner, const RingCounter<Id>& ring) const { this->Sizes[corner] = ring.Size; }
   };
+  /// The local number of an edge that a tetrahedron marks; negative: it does not.
+  int FindMarked(Id tet, Id edge) const
+  {
+    const Id* edges = this->Parent.TetEdges.data() + 6 * vtkIdType(tet);
+    const auto& marked = tetrahedron::MarkedEdges;
+    return edge == edges[marked[0]] ? marked[0] : edge == edges[marked[1]] ? marked[1] : -1;
+  }
   Id GetInnerFace(Id tet, int face) const
   {
     return this->Ids.template InnerFace<MarkedTetShape>(tet, face);
@@ -191,10 +198,10 @@ void BoxSplineRings<Id>::EmitBeside(Id edge, Id face, Emit& midpoint) const
 {
   for (Id tet : this->Parent.FaceTets[face])
   {
-    const int local = this->Parent.EdgeInTet(tet, edge);
+    const int local = this->FindMarked(tet, edge);
     const int opposite = tetrahedron::OppositeEdge(local);
     // Two faces of the tetrahedron lie at the edge; only the first of them counts it.
-    if (tetrahedron::IsMarked(local) &&
+    if (local >= 0 &&
       this->Parent.TetFaces[4 * vtkIdType(tet) + tetrahedron::EdgeVertices[opposite][0]] == face)
     {
       midpoint(this->Ids.template InnerEdge<MarkedTetShape>(tet, 0),
@@ -246,7 +253,7 @@ Stratum BoxSplineRings<Id>::GetInFaceStratum(Id face, int corner) const
   const Id parallel = this->Parent.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[corner]];
   for (Id tet : this->Parent.FaceTets[face])
   {
-    if (!tetrahedron::IsMarked(this->Parent.EdgeInTet(tet, parallel)))
+    if (this->FindMarked(tet, parallel) < 0)
     {
       return stratum;
     }
