@@ -2,7 +2,7 @@
 #include "Private/Control/SizeChecks.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Memory/Loops.h"
+#include "Core/Memory/SimplexStarts.h"
 #include "Private/Control/MemoryEstimate.h"
 
 #include "vtkAbstractArray.h"
@@ -11,6 +11,7 @@
 #include "vtksys/SystemInformation.hxx"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <limits>
@@ -48,9 +49,10 @@ std::string Bytes(double bytes)
 std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)
 {
   double cells = 0.;
-  for (unsigned char dimension : InTurn(simplices.Dimensions))
+  const std::array<vtkIdType, 4> counts = CountDimensions(simplices);
+  for (int dimension = 0; dimension < 4; ++dimension)
   {
-    cells += std::ldexp(1., dimension * levels);
+    cells += std::ldexp(static_cast<double>(counts[dimension]), dimension * levels);
   }
   return CheckNumberOfCells(cells, cells * BytesPerTet, levels, maximum);
 }
@@ -72,17 +74,14 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
 
 bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme)
 {
-  double perDimension[4] = { 0., 0., 0., 0. };
-  for (unsigned char dimension : InTurn(control.Dimensions))
-  {
-    ++perDimension[dimension];
-  }
+  const std::array<vtkIdType, 4> ofDimensions = CountDimensions(control);
+  const auto count = [&](int dimension) { return static_cast<double>(ofDimensions[dimension]); };
   LevelCounts counts;
   counts.Scheme = &scheme;
   counts.Vertices = static_cast<double>(control.NumberOfPoints);
-  counts.Tets = perDimension[3];
-  counts.Faces = perDimension[2] + 4. * counts.Tets;
-  counts.Edges = perDimension[1] + 3. * counts.Faces;
+  counts.Tets = count(3);
+  counts.Faces = count(2) + 4. * counts.Tets;
+  counts.Edges = count(1) + 3. * counts.Faces;
   double largest = std::max(4. * counts.Faces, 4. * counts.Edges);
   for (int i = 0; i < levels; ++i)
   {

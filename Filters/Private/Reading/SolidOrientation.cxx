@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/SolidOrientation.h"
 
-#include "Core/Memory/Buffer.h"
+#include "Core/Memory/SimplexStarts.h"
 #include "Core/Solids/Location/TetFrame.h"
 
 #include "vtkCellArray.h"
@@ -19,15 +19,11 @@ namespace
 /// How many tetrahedra are looked at together: the children of one.
 constexpr int InGroup = 8;
 
-/// Running sums of `count`: where the corners of each simplex begin in the connectivity, or where
-/// its children begin among the cells of the output.
-template <typename Count>
-Buffer<vtkIdType> FindFirsts(const SimplexList& simplices, const Count& count)
+/// Where the children of simplices begin after some steps.
+SimplexStarts FindChildren(const SimplexList& simplices, int steps)
 {
-  Buffer<vtkIdType> firsts(simplices.GetNumberOfSimplices() + 1);
-  ForEach(firsts.size() - 1, [&](vtkIdType i) { firsts[i] = count(simplices.Dimensions[i]); });
-  CountsToOffsets(firsts);
-  return firsts;
+  return SimplexStarts(
+    simplices, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
 }
 
 /// Tells the orientation of tetrahedra of an output.
@@ -128,9 +124,13 @@ void WithCheck(vtkUnstructuredGrid* output, double tie, const Act& act)
 
 std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coordinates& points)
 {
+  std::vector<vtkIdType> found;
+  if (CountDimensions(simplices)[3] == 0)
+  {
+    return found;
+  }
   const vtkIdType size = simplices.GetNumberOfSimplices();
-  const Buffer<vtkIdType> firsts =
-    FindFirsts(simplices, [](int dimension) { return dimension + 1; });
+  const SimplexStarts firsts(simplices, [](int dimension) { return dimension + 1; });
   Buffer<signed char> orientations(size, 1);
   ForEach(size,
     [&](vtkIdType i)
@@ -145,7 +145,6 @@ std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coor
         orientations[i] = static_cast<signed char>(GetOrientationOfTet(corners, points.Tie));
       }
     });
-  std::vector<vtkIdType> found;
   for (const vtkIdType i : InTurn(size))
   {
     if (orientations[i] < 1)
@@ -160,16 +159,14 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const std::vector<vtkIdType>& inverted, double tie, vtkUnstructuredGrid* output,
   const KnownSigns& signs, unsigned char* marks)
 {
-  const vtkIdType size = control.GetNumberOfSimplices();
-  const auto findFirsts = [&control](int steps)
+  if (CountDimensions(control)[3] == 0)
   {
-    return FindFirsts(
-      control, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
-  };
-  const Buffer<vtkIdType> firsts = findFirsts(levels);
+    return { 0, -1 };
+  }
+  const vtkIdType size = control.GetNumberOfSimplices();
+  const SimplexStarts firsts = FindChildren(control, levels);
   const bool knows = !signs.Signs.empty();
-  const Buffer<vtkIdType> firstSigns =
-    knows ? findFirsts(levels - signs.Steps) : Buffer<vtkIdType>();
+  const SimplexStarts firstSigns = FindChildren(control, knows ? levels - signs.Steps : 0);
   const int shift = 3 * signs.Steps;
   const auto getSign = [&](vtkIdType i, vtkIdType cell) -> int
   {
@@ -177,7 +174,7 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
     return signs.Signs[static_cast<std::size_t>(place)];
   };
   std::atomic<vtkIdType> count(0);
-  std::atomic<vtkIdType> least(firsts[size]);
+  std::atomic<vtkIdType> least(firsts.GetLength());
   WithCheck(output, tie,
     [&](const auto& check)
     {
@@ -223,11 +220,10 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
       };
       // The ranges are of output cells, so that several threads share the children of one control
       // tetrahedron.
-      ForRanges(firsts[size],
+      ForRanges(firsts.GetLength(),
         [&](vtkIdType begin, vtkIdType end)
         {
-          vtkIdType i = std::upper_bound(firsts.begin(), firsts.end(), begin) - firsts.begin() - 1;
-          for (; i < size && firsts[i] < end; ++i)
+          for (vtkIdType i = firsts.Find(begin); i < size && firsts[i] < end; ++i)
           {
             if (control.Dimensions[i] == 3)
             {

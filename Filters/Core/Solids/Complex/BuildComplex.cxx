@@ -7,6 +7,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/PairNumbers.h"
+#include "Core/Memory/SimplexStarts.h"
 #include "Core/Solids/Complex/Simplices.h"
 
 #include <algorithm>
@@ -26,17 +27,6 @@ struct CellsOfDimension
   Buffer<Id> Vertices;  ///< dimension + 1 for each
   Buffer<bool> Repeats; ///< empty: none
 };
-
-/// How many simplices a list has of each dimension.
-std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
-{
-  std::array<vtkIdType, 4> counts = {};
-  for (const unsigned char dimension : InTurn(simplices.Dimensions))
-  {
-    ++counts[dimension];
-  }
-  return counts;
-}
 
 /// Whether two of some numbers are equal, or there are too many to look at each pair of them.
 template <typename Id, typename Get>
@@ -94,7 +84,7 @@ private:
   vtkIdType GetFirstFace(vtkIdType tet) const { return this->Count(2) + 4 * tet; }
 
   void GatherCells();
-  void GatherCells(int dimension, const Buffer<vtkIdType>& entries);
+  void GatherCells(int dimension, const SimplexStarts& entries);
   bool AreLinesAscending() const;
   template <typename Use>
   void ForEdges(const Use& use) const;
@@ -120,9 +110,9 @@ private:
   SimplicialComplex<Id> Complex;
 };
 
-/// `entries`: where the vertices of each simplex begin; not read if all have one dimension.
+/// `entries`: where the vertices of each simplex begin.
 template <typename Id>
-void ComplexBuilder<Id>::GatherCells(int dimension, const Buffer<vtkIdType>& entries)
+void ComplexBuilder<Id>::GatherCells(int dimension, const SimplexStarts& entries)
 {
   const vtkIdType size = this->Simplices.GetNumberOfSimplices();
   const int corners = dimension + 1;
@@ -151,15 +141,8 @@ void ComplexBuilder<Id>::GatherCells(int dimension, const Buffer<vtkIdType>& ent
 template <typename Id>
 void ComplexBuilder<Id>::GatherCells()
 {
-  const vtkIdType size = this->Simplices.GetNumberOfSimplices();
   const std::array<vtkIdType, 4> counts = CountDimensions(this->Simplices);
-  Buffer<vtkIdType> entries;
-  if (*std::max_element(counts.begin(), counts.end()) < size)
-  {
-    entries = Buffer<vtkIdType>(size + 1);
-    ForEach(size, [&](vtkIdType i) { entries[i] = this->Simplices.Dimensions[i] + 1; });
-    CountsToOffsets(entries);
-  }
+  const SimplexStarts entries(this->Simplices, [](int dimension) { return dimension + 1; });
   for (int dimension = 0; dimension < 4; ++dimension)
   {
     this->Cells[dimension].Count = counts[dimension];

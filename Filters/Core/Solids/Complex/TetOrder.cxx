@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Complex/TetOrder.h"
 
-#include "Core/Memory/Buffer.h"
+#include "Core/Memory/SimplexStarts.h"
 
 #include <algorithm>
 #include <limits>
@@ -105,11 +105,12 @@ void OrderTet(vtkIdType* tet, const Coordinates& points, const vtkIdType* global
 void OrderTets(SimplexList& simplices, const Coordinates& points, const vtkIdType* globalIds,
   vtkIdType numberOfGlobalIds)
 {
-  const vtkIdType size = simplices.GetNumberOfSimplices();
-  Buffer<vtkIdType> entries(size + 1);
-  ForEach(size, [&](vtkIdType i) { entries[i] = simplices.Dimensions[i] + 1; });
-  CountsToOffsets(entries);
-  ForEach(size,
+  if (CountDimensions(simplices)[3] == 0)
+  {
+    return;
+  }
+  const SimplexStarts entries(simplices, [](int dimension) { return dimension + 1; });
+  ForEach(simplices.GetNumberOfSimplices(),
     [&](vtkIdType i)
     {
       if (simplices.Dimensions[i] == 3)

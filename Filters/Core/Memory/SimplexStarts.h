@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SimplexStarts.h
+ * Where what belongs to each simplex of a list begins in another list. Most lists have simplices of
+ * one dimension only: then that is a product, and nothing is stored. (SimplexPlaces of the
+ * red-green forest is for corners alone, and stores less for mixed lists, but adds up dimensions.)
+ */
+#ifndef SubdivisionObjects_SimplexStarts_h
+#define SubdivisionObjects_SimplexStarts_h
+
+#include "Core/Memory/Buffer.h"
+#include "Core/Memory/SimplexList.h"
+
+#include <algorithm>
+#include <array>
+
+namespace subdivision
+{
+
+/// How many simplices of a list have each dimension.
+inline std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
+{
+  constexpr vtkIdType block = 240; // counts fit into a byte, so that compilers make many at once
+  std::array<vtkIdType, 4> counts = {};
+  const vtkIdType size = simplices.GetNumberOfSimplices();
+  ForEachInTurn((size + block - 1) / block,
+    [&](vtkIdType i)
+    {
+      const unsigned char* begin = simplices.Dimensions.data() + block * i;
+      const vtkIdType length = std::min(block, size - block * i);
+      for (unsigned char dimension = 0; dimension < counts.size(); ++dimension)
+      {
+        unsigned char count = 0;
+        for (vtkIdType k = 0; k < length; ++k)
+        {
+          count = static_cast<unsigned char>(count + (begin[k] == dimension ? 1 : 0));
+        }
+        counts[dimension] += count;
+      }
+    });
+  return counts;
+}
+
+class SimplexStarts
+{
+public:
+  /// each(dimension): how much belongs to a simplex, at least 1.
+  template <typename Each>
+  SimplexStarts(const SimplexList& simplices, const Each& each)
+    : Size(simplices.GetNumberOfSimplices())
+  {
+    const std::array<vtkIdType, 4> counts = CountDimensions(simplices);
+    const auto most = std::max_element(counts.begin(), counts.end());
+    this->OfEach = each(static_cast<int>(most - counts.begin()));
+    if (*most < this->Size)
+    {
+      this->Firsts = Buffer<vtkIdType>(this->Size + 1);
+      ForEach(this->Size, [&](vtkIdType i) { this->Firsts[i] = each(simplices.Dimensions[i]); });
+      CountsToOffsets(this->Firsts);
+    }
+  }
+  /// The place where a simplex begins; that of the one after the last is the length of the list.
+  vtkIdType operator[](vtkIdType simplex) const
+  {
+    return this->Firsts.empty() ? simplex * this->OfEach : this->Firsts[simplex];
+  }
+  vtkIdType GetLength() const { return (*this)[this->Size]; }
+  /// The simplex that a place belongs to.
+  vtkIdType Find(vtkIdType place) const
+  {
+    return this->Firsts.empty()
+      ? place / this->OfEach
+      : std::upper_bound(this->Firsts.begin(), this->Firsts.end(), place) - this->Firsts.begin() -
+        1;
+  }
+
+private:
+  const vtkIdType Size;
+  vtkIdType OfEach = 1; ///< if Firsts is empty
+  Buffer<vtkIdType> Firsts;
+};
+
+}
+
+#endif
