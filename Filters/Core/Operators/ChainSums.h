@@ -24,22 +24,149 @@ enum class ChainValues
   Any
 };
 
-template <int N, typename Id, typename In, typename Out>
+/// Where the sums of consecutive points go: to one array.
+template <int N, typename Out>
+class ToArray
+{
+public:
+  ToArray(Out* first, vtkIdType stride)
+    : Values(first)
+    , Stride(stride)
+  {
+  }
+  /// Goes on by some points.
+  void operator+=(vtkIdType points) { this->Values += points * this->Stride; }
+  template <typename In>
+  void Copy(const In* values) const
+  {
+    CopyValues(values, N == 0 ? this->Stride : N, this->Values); // a length that the compiler knows
+  }
+  /// Stores sums of the components from `first` on. Where one is not finite, instead(c) is stored.
+  template <ChainValues Kind, typename In, int W, typename Instead>
+  void Store(const Sums<W>& sum, int first, const Instead& instead) const
+  {
+    Out* const to = this->Values + first;
+    if constexpr (Kind == ChainValues::Any)
+    {
+      StoreSums(sum, to, instead);
+    }
+    else if constexpr (std::is_same<In, Out>::value && std::is_floating_point<Out>::value)
+    {
+      for (int c = 0; c < W; ++c)
+      {
+        to[c] = static_cast<Out>(sum[c]);
+      }
+    }
+    else
+    {
+      sum.Write(to);
+    }
+  }
+
+private:
+  Out* Values;
+  vtkIdType Stride;
+};
+
+/// The values of one array, N for each point; 0: their number is known at run time only.
+template <int N, typename In, typename Out>
+struct OneArray
+{
+  using Value = In;
+  static constexpr int Known = N;
+  vtkIdType GetStride() const { return N == 0 ? this->Components : N; }
+  void Read(vtkIdType column, Value* to) const
+  {
+    ToArray<N, Value>(to, this->GetStride()).Copy(this->Values + column * this->GetStride());
+  }
+  ToArray<N, Out> GetResult(vtkIdType row) const
+  {
+    return { this->Results + row * this->GetStride(), this->GetStride() };
+  }
+
+  const In* Values;
+  Out* Results;
+  int Components;
+};
+
+/// Where the sums of consecutive points go: to an array of vectors and one of scalars.
+class ToVectorsAndScalars
+{
+public:
+  ToVectorsAndScalars(double* vectors, double* scalars)
+    : Vectors(vectors)
+    , Scalars(scalars)
+  {
+  }
+  void operator+=(vtkIdType points)
+  {
+    this->Vectors += 3 * points;
+    this->Scalars += points;
+  }
+  void Copy(const double* values) const
+  {
+    std::copy_n(values, 3, this->Vectors);
+    *this->Scalars = values[3];
+  }
+  template <ChainValues Kind, typename In, typename Instead>
+  void Store(const Sums<4>& sum, int, const Instead& instead) const
+  {
+    if (Kind == ChainValues::Any && !sum.IsFinite())
+    {
+      double values[4];
+      StoreSums(sum, values, instead);
+      this->Copy(values);
+      return;
+    }
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Vectors[c] = sum[c];
+    }
+    *this->Scalars = sum[3];
+  }
+
+private:
+  double* Vectors;
+  double* Scalars;
+};
+
+/// Vectors, such as points, and scalars side by side: compilers sum two numbers at a time. Both are
+/// in double, so that nothing is rounded after a step.
+struct VectorsAndScalars
+{
+  using Value = double;
+  static constexpr int Known = 4;
+  static constexpr vtkIdType GetStride() { return 4; }
+  void Read(vtkIdType column, double* to) const
+  {
+    const double* vector = this->Vectors + 3 * column;
+    const double values[4] = { vector[0], vector[1], vector[2], this->Scalars[column] };
+    std::copy_n(values, 4, to);
+  }
+  ToVectorsAndScalars GetResult(vtkIdType row) const
+  {
+    return { this->VectorResults + 3 * row, this->ScalarResults + row };
+  }
+
+  const double* Vectors;
+  const double* Scalars;
+  double* VectorResults;
+  double* ScalarResults;
+};
+
+/// `Arrays`: OneArray, or what has the same members.
+template <typename Id, typename Arrays>
 class ChainSums
 {
 public:
-  ChainSums(const ChainRows<Id>& rows, const In* in, Out* out, int components)
+  ChainSums(const ChainRows<Id>& rows, const Arrays& arrays)
     : Chains(rows)
-    , Values(in)
-    , Results(out)
-    , Components(components)
-    , Stride(N == 0 ? components : N)
+    , Values(arrays)
+    , Stride(arrays.GetStride())
     , OfEdge(std::get<MaskTables<Mask>>(rows.Centres.Masks->Tables).Edges.Get(Rule::Curve, 0, None))
     , OfVertex(
         std::get<MaskTables<Mask>>(rows.Centres.Masks->Tables).Vertices.Get(Rule::Curve, 2, None))
-    , Nothing()
   {
-    this->Nothing.Clear();
   }
 
   void Run()
@@ -60,7 +187,10 @@ public:
   }
 
 private:
+  using In = typename Arrays::Value;
+  static constexpr int N = Arrays::Known;
   static constexpr int W = Width<N>;
+  using ToBuffer = ToArray<N, In>;
 
   /// Makes the values that the centres of stars have after each step.
   void StepStars()
@@ -71,14 +201,15 @@ private:
     Buffer<In> next(size * this->Stride);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      this->Copy(this->GetValue(this->Chains.Columns[i]), now.data() + i * this->Stride);
+      this->Values.Read(this->Chains.Columns[i], now.data() + i * this->Stride);
     }
+    const auto components = static_cast<int>(this->Stride);
     const vtkIdType values = centres.Count * this->Stride;
     this->OfCentres = Buffer<In>(this->Chains.StepsOfStars * values);
     for (int step = 0; step < this->Chains.StepsOfStars; ++step)
     {
-      SumBlock<N>(centres, now.data(), next.data(), this->Components);
-      SumBlock<N>(this->Chains.Spokes, now.data(), next.data(), this->Components);
+      SumBlock<N>(centres, now.data(), next.data(), components);
+      SumBlock<N>(this->Chains.Spokes, now.data(), next.data(), components);
       std::copy_n(next.data(), values, this->OfCentres.data() + step * values);
       std::swap(now, next);
     }
@@ -90,8 +221,8 @@ private:
   }
   void WriteCentre(vtkIdType star)
   {
-    this->Copy(
-      this->GetCentre(star, this->Chains.Steps), this->GetResult(this->Chains.Columns[star]));
+    this->Values.GetResult(this->Chains.Columns[star])
+      .Copy(this->GetCentre(star, this->Chains.Steps));
   }
 
   /// Makes room for the longest run.
@@ -126,11 +257,12 @@ private:
     for (int step = 1; step < this->Chains.Steps; ++step, edges *= 2)
     {
       const In* from = this->Now.data();
-      In* to = this->Next.data();
-      this->SumMidpoints<Kind>(from, edges, to + this->Stride, 2);
-      this->SumVertices<Kind>(from + this->Stride, 1, edges - 1, to + 2 * this->Stride, 2);
-      this->Copy(this->GetCentre(2 * i, step), to);
-      this->Copy(this->GetCentre(2 * i + 1, step), to + 2 * edges * this->Stride);
+      const auto to = [this](vtkIdType point)
+      { return ToBuffer(this->Next.data() + point * this->Stride, this->Stride); };
+      this->SumMidpoints<Kind>(from, edges, to(1), 2);
+      this->SumVertices<Kind>(from + this->Stride, 1, edges - 1, to(2), 2);
+      to(0).Copy(this->GetCentre(2 * i, step));
+      to(2 * edges).Copy(this->GetCentre(2 * i + 1, step));
       std::swap(this->Now, this->Next);
     }
     this->StepLast<Kind>(run);
@@ -146,17 +278,23 @@ private:
   {
     const In* from = this->Now.data();
     const int last = this->Chains.Steps - 1;
-    this->SumMidpoints<Kind>(from, run.Count << last, this->GetResult(this->GetRow(run, last)), 1);
+    this->SumMidpoints<Kind>(
+      from, run.Count << last, this->Values.GetResult(this->GetRow(run, last)), 1);
     for (int step = 0; step < last; ++step) // the new points of earlier steps
     {
       const vtkIdType apart = vtkIdType(1) << (last - step);
       this->SumVertices<Kind>(from + apart / 2 * this->Stride, apart, run.Count << step,
-        this->GetResult(this->GetRow(run, step)), 1);
+        this->Values.GetResult(this->GetRow(run, step)), 1);
     }
-    for (vtkIdType i = 1; i < run.Count; ++i) // the vertices
+    const Id* starts = this->Chains.Ends + 2 * run.FirstEdge;
+    for (vtkIdType i = 1, next = 1; i < run.Count; i = next) // the vertices, as far as rows follow
     {
-      this->SumVertices<Kind>(from + (i << last) * this->Stride, 1, 1,
-        this->GetResult(this->Chains.Ends[2 * (run.FirstEdge + i)]), 1);
+      do
+      {
+        ++next;
+      } while (next < run.Count && starts[2 * next] == starts[2 * next - 2] + 1);
+      this->SumVertices<Kind>(from + (i << last) * this->Stride, vtkIdType(1) << last, next - i,
+        this->Values.GetResult(starts[2 * i]), 1);
     }
   }
 
@@ -171,10 +309,10 @@ private:
   void ReadRun(const EdgeRun& run)
   {
     const Id* ends = this->Chains.Ends + 2 * run.FirstEdge;
-    this->Copy(this->GetValue(ends[0]), this->Now.data());
+    this->Values.Read(ends[0], this->Now.data());
     for (vtkIdType i = 0; i < run.Count; ++i)
     {
-      this->Copy(this->GetValue(ends[2 * i + 1]), this->Now.data() + (i + 1) * this->Stride);
+      this->Values.Read(ends[2 * i + 1], this->Now.data() + (i + 1) * this->Stride);
     }
   }
 
@@ -199,10 +337,12 @@ private:
 
   /// The midpoints of consecutive edges, to each `apart`-th place.
   template <ChainValues Kind, typename To>
-  void SumMidpoints(const In* from, vtkIdType edges, To* to, vtkIdType apart) const
+  void SumMidpoints(const In* from, vtkIdType edges, To to, vtkIdType apart) const
   {
     const vtkIdType stride = this->Stride;
     const Mask mask = this->OfEdge;
+    double noRing[W]; // what a ring without members adds
+    std::fill_n(noRing, W, mask.Ring * 0.);
     Sums<W> sum;
     for (vtkIdType i = 0; i < edges; ++i)
     {
@@ -212,8 +352,8 @@ private:
           sum.Set(from + first);
           sum.Add(from + stride + first);
           sum.Scale(mask.Own);
-          sum.Add(mask.Ring, this->Nothing);
-          this->StoreSum<Kind>(sum, to + first,
+          sum.Add(noRing);
+          to.template Store<Kind, In>(sum, first,
             [&](int c)
             {
               return SumTermByTerm(MakeParted(mask, 0), from + first + c, from + stride + first + c,
@@ -221,14 +361,14 @@ private:
             });
         });
       from += stride;
-      to += apart * stride;
+      to += apart;
     }
   }
 
   /// Points between two others, of each `apart`-th place, to each `apartTo`-th place.
   template <ChainValues Kind, typename To>
   void SumVertices(
-    const In* from, vtkIdType apart, vtkIdType points, To* to, vtkIdType apartTo) const
+    const In* from, vtkIdType apart, vtkIdType points, To to, vtkIdType apartTo) const
   {
     static constexpr Id ring[2] = { 0, 2 }; // seen from the point before
     const vtkIdType stride = this->Stride;
@@ -239,7 +379,7 @@ private:
     {
       if (mask.Ring == 0.) // 0 times infinity is not 0
       {
-        this->Copy(from, to);
+        to.Copy(from);
       }
       else
       {
@@ -252,7 +392,7 @@ private:
             sum.Set(from + first);
             sum.Scale(mask.Own);
             sum.Add(mask.Ring, section);
-            this->StoreSum<Kind>(sum, to + first,
+            to.template Store<Kind, In>(sum, first,
               [&](int c)
               {
                 return SumTermByTerm(MakeParted(mask, 2), from + first + c,
@@ -261,56 +401,32 @@ private:
           });
       }
       from += apart * stride;
-      to += apartTo * stride;
+      to += apartTo;
     }
   }
-
-  template <ChainValues Kind, typename To, typename Instead>
-  static void StoreSum(const Sums<W>& sum, To* to, const Instead& instead)
-  {
-    if constexpr (Kind == ChainValues::Any)
-    {
-      StoreSums(sum, to, instead);
-    }
-    else if constexpr (std::is_same<In, To>::value && std::is_floating_point<To>::value)
-    {
-      for (int c = 0; c < W; ++c)
-      {
-        to[c] = static_cast<To>(sum[c]);
-      }
-    }
-    else
-    {
-      sum.Write(to);
-    }
-  }
-
-  template <typename To>
-  void Copy(const In* from, To* to) const
-  {
-    CopyValues(from, N == 0 ? this->Stride : N, to); // a length that the compiler knows
-  }
-  const In* GetValue(vtkIdType column) const { return this->Values + column * this->Stride; }
-  Out* GetResult(vtkIdType row) const { return this->Results + row * this->Stride; }
 
   const ChainRows<Id>& Chains;
-  const In* Values;
-  Out* Results;
-  const int Components;
+  const Arrays Values;
   const vtkIdType Stride;
   Mask None = {};
   const Mask OfEdge;
   const Mask OfVertex;
-  Sums<W> Nothing;
   Buffer<In> OfCentres;
   Buffer<In> Now;
   Buffer<In> Next;
 };
 
-template <int N, typename Id, typename In, typename Out>
-void SumChains(const ChainRows<Id>& rows, const In* in, Out* out, int components)
+/// Sums chains of a ChainOperator.
+template <typename Arrays>
+void SumChains(const ChainOperator::ChainsView& view, const Arrays& arrays)
 {
-  ChainSums<N, Id, In, Out>(rows, in, out, components).Run();
+  std::visit(
+    [&](const auto& chains)
+    {
+      using Id = std::decay_t<decltype(*chains.Ends)>;
+      ChainSums<Id, Arrays>(chains, arrays).Run();
+    },
+    view);
 }
 
 }
