@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/Strata/StrataBuilder.h"
+#include "Core/Solids/Strata/StrataCurves.h"
 
 #include <algorithm>
 #include <iterator>
@@ -265,7 +266,10 @@ template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
   const StrataOptions& options)
 {
-  return StrataBuilder<Id>(complex, singular, options).Build();
+  Strata<Id> curves;
+  return FindStrataOfCurves(complex, singular, options, curves)
+    ? std::move(curves)
+    : StrataBuilder<Id>(complex, singular, options).Build();
 }
 
 SUBDIVISION_COMPILE_FUNCTION(BuildStrata);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 3 and 4: types and rules on complexes whose answers are known by hand.
+#include "Core/Solids/Strata/StrataBuilder.h"
 #include "CoreZoo.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 using namespace coretest;
 
@@ -40,6 +42,39 @@ void ExpectKnown(const std::string& name, std::initializer_list<Known> known)
     EXPECT_EQ(stratum.GetType(), k.Type) << label;
     EXPECT_EQ((isVertex ? strata.VertexRings : strata.EdgeRings).GetSize(i), k.RingSize) << label;
   }
+}
+
+template <typename T>
+bool AreEqual(const Buffer<T>& a, const Buffer<T>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end());
+}
+bool AreEqual(const Buffer<Stratum>& a, const Buffer<Stratum>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+    [](Stratum x, Stratum y) { return x.GetRule() == y.GetRule() && x.GetType() == y.GetType(); });
+}
+bool AreEqual(const Rings<int>& a, const Rings<int>& b)
+{
+  return AreEqual(a.Offsets, b.Offsets) && AreEqual(a.Members, b.Members) &&
+    AreEqual(a.Carriers, b.Carriers);
+}
+
+/// Lines between points by chance: ends, curves, branches, repeated lines, and points without any.
+SimplexList MakeNetwork(unsigned int seed)
+{
+  std::mt19937 random(seed);
+  Mesh mesh("network");
+  mesh.Cells.NumberOfPoints = 2 + random() % 40;
+  const auto points = static_cast<unsigned int>(mesh.Cells.NumberOfPoints);
+  const unsigned int reach = seed % 2 == 0 ? 1 : points - 1;
+  for (unsigned int lines = random() % (2 * points); lines > 0; --lines)
+  {
+    const unsigned int a = random() % points;
+    const unsigned int b = (a + 1 + random() % reach) % points;
+    mesh.AddCell({ a, b });
+  }
+  return mesh.Cells;
 }
 
 std::vector<unsigned char> FindDimensions(const std::string& name)
@@ -271,6 +306,40 @@ TEST(CoreStrata, SeveralSmallestFansAreType3)
       }
     }
   }
+}
+
+// Where there are curves alone, counting edges tells what links do.
+TEST(CoreStrata, CurvesAreAsByLinks)
+{
+  int joints = 0;
+  for (unsigned int seed = 0; seed < 300; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    StrataOptions options;
+    options.Type2 = seed % 5 == 0 ? JointRule::Sharp : JointRule::Blend;
+    options.ModifiedBoundary = seed % 3 == 0;
+    options.Weights = seed % 7 == 0 ? LoopWeights::Loop : LoopWeights::Warren;
+    const Subdivided<int> built = Build<int>(MakeNetwork(seed), {}, options);
+    const SimplicialComplex<int>& complex = built.Level.Complex;
+    if (seed % 11 == 0)
+    {
+      options.VertexChoices = Buffer<unsigned char>(
+        complex.NumberOfVertices, 1 + static_cast<unsigned char>(JointRule::Sharp));
+    }
+    const SingularSimplices none;
+    const Strata<int> found = BuildStrata(complex, none, options);
+    const Strata<int> expected = StrataBuilder<int>(complex, none, options).Build();
+    ASSERT_TRUE(AreEqual(found.Vertices, expected.Vertices));
+    ASSERT_TRUE(AreEqual(found.Edges, expected.Edges));
+    ASSERT_TRUE(AreEqual(found.Faces, expected.Faces));
+    ASSERT_TRUE(AreEqual(found.VertexRings, expected.VertexRings));
+    ASSERT_TRUE(AreEqual(found.EdgeRings, expected.EdgeRings));
+    ASSERT_EQ(found.Weights, expected.Weights);
+    ASSERT_EQ(found.ModifiedBoundary, expected.ModifiedBoundary);
+    joints += static_cast<int>(std::count_if(found.Vertices.begin(), found.Vertices.end(),
+      [](Stratum stratum) { return stratum.GetType() == 2; }));
+  }
+  EXPECT_GT(joints, 100);
 }
 
 TEST(CoreStrata, ManifoldDimensions)
