@@ -22,7 +22,7 @@ Buffer<unsigned char> CountUses(const Buffer<Id>& named, vtkIdType size)
   Buffer<unsigned char> uses(size, 0);
   for (const Id item : InTurn(named))
   {
-    uses[item] = static_cast<unsigned char>(std::min(uses[item] + 1, 2));
+    uses[item] = static_cast<unsigned char>(uses[item] + (uses[item] < 2 ? 1 : 0));
   }
   return uses;
 }

@@ -95,6 +95,10 @@ bool HasRepeats(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& sc
     std::sort(scratch.begin(), scratch.end());
     return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
   }
+  if (size == 2)
+  {
+    return ids[0] == ids[1];
+  }
   if (size == 4) // most cells of most meshes
   {
     return ids[0] == ids[1] || ids[0] == ids[2] || ids[0] == ids[3] || ids[1] == ids[2] ||

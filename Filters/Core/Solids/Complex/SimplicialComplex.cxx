@@ -20,9 +20,11 @@ Buffer<unsigned char> FindManifoldDimensions(
       [dimension](const CellRun& run) { return run.Dimension == dimension; });
   };
   const bool hasVertices = has(0);
-  const bool hasEdges = hasVertices || has(1);
+  const bool hasEdges = (hasVertices || has(1)) && !complex.HasEdgesAlone(); // or all are lines
   Buffer<unsigned char> vertices(hasVertices ? complex.NumberOfVertices : 0, 0);
   Buffer<unsigned char> edges(hasEdges ? complex.NumberOfEdges : 0, 1);
+  const auto edgeDimension = [&](vtkIdType e)
+  { return edges.empty() ? static_cast<unsigned char>(1) : edges[e]; };
   auto faceDimension = [&](vtkIdType f)
   { return static_cast<unsigned char>(complex.FaceTets[f].size() > 0 ? 3 : 2); };
   ForEachInTurn(hasEdges ? complex.FaceEdges.size() : 0,
@@ -35,12 +37,17 @@ Buffer<unsigned char> FindManifoldDimensions(
     [&](vtkIdType i)
     {
       unsigned char& vertex = vertices[complex.EdgeVertices[i]];
-      vertex = std::max(vertex, edges[i / 2]);
+      vertex = std::max(vertex, edgeDimension(i / 2));
     });
   const CellRun last = runs.empty() ? CellRun() : runs.back();
   Buffer<unsigned char> dimensions(last.FirstCell + last.Count);
   for (const CellRun& run : runs)
   {
+    if (run.Dimension == 3 || (run.Dimension == 1 && edges.empty()))
+    {
+      Fill(dimensions.data() + run.FirstCell, run.Count, static_cast<unsigned char>(run.Dimension));
+      continue;
+    }
     ForEach(run.Count,
       [&](vtkIdType k)
       {
@@ -54,11 +61,8 @@ Buffer<unsigned char> FindManifoldDimensions(
           case 1:
             dimension = edges[run.Equal ? complex.EqualLines.Twins[i] : i];
             break;
-          case 2:
-            dimension = faceDimension(run.Equal ? complex.EqualTriangles.Twins[i] : i);
-            break;
           default:
-            dimension = 3;
+            dimension = faceDimension(run.Equal ? complex.EqualTriangles.Twins[i] : i);
             break;
         }
       });

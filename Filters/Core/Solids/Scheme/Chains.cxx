@@ -65,28 +65,25 @@ public:
   }
 
 private:
-  /// Whether an edge ends where the next one starts, and both together are what the rule of curves
-  /// takes there, in this order.
+  /// Whether an edge ends at a vertex where the next one starts, and both together are what the
+  /// rule of curves takes there, in this order.
+  bool AreJoinedAt(vtkIdType vertex, vtkIdType edge) const
+  {
+    const Row<Id> ring = this->OfLevel.VertexRings.GetCarriers(vertex);
+    const Id* ends = this->Complex.EdgeVertices.data() + 2 * edge;
+    return ring.size() == 2 && ring.begin()[0] == edge && ring.begin()[1] == edge + 1 &&
+      ends[1] == vertex && ends[2] == vertex &&
+      this->OfLevel.Vertices[vertex].GetRule() == Rule::Curve;
+  }
   bool JoinsNext(vtkIdType edge) const
   {
-    if (edge + 1 >= this->Complex.NumberOfEdges)
-    {
-      return false;
-    }
-    const Id* ends = this->Complex.EdgeVertices.data() + 2 * edge;
-    if (ends[1] != ends[2] || this->OfLevel.Vertices[ends[1]].GetRule() != Rule::Curve)
-    {
-      return false;
-    }
-    const Row<Id> ring = this->OfLevel.VertexRings.GetCarriers(ends[1]);
-    return ring.size() == 2 && ring.begin()[0] == edge && ring.begin()[1] == edge + 1;
+    return this->AreJoinedAt(this->Complex.EdgeVertices[2 * edge + 1], edge);
   }
-  /// Whether a vertex is joined so.
+  /// Whether two edges are joined at a vertex.
   bool IsInside(vtkIdType vertex) const
   {
     const Row<Id> ring = this->OfLevel.VertexRings.GetCarriers(vertex);
-    return ring.size() == 2 && this->Complex.EdgeVertices[2 * ring.begin()[0] + 1] == vertex &&
-      this->JoinsNext(ring.begin()[0]);
+    return ring.size() == 2 && this->AreJoinedAt(vertex, ring.begin()[0]);
   }
 
   void Clear()
