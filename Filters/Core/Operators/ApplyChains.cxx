@@ -23,35 +23,36 @@ struct ChainBlocks
   }
 };
 
-/// Takes pairs of vectors and scalars from `arrays`.
-std::vector<VectorsAndScalars> TakePairs(std::vector<MovedArray>& arrays)
+/// Takes pairs of vectors and scalars of a type from `arrays`.
+template <typename T>
+std::vector<VectorsAndScalars<T>> TakePairs(int type, std::vector<MovedArray>& arrays)
 {
-  const auto take = [&arrays](int components)
+  const auto find = [&](int components)
   {
-    std::vector<MovedArray> taken;
-    for (const MovedArray& array : arrays)
-    {
-      if (array.Components == components && array.InType == VTK_DOUBLE &&
-        array.OutType == VTK_DOUBLE)
-      {
-        taken.push_back(array);
-      }
-    }
-    return taken;
+    return std::find_if(arrays.begin(), arrays.end(), [=](const MovedArray& array)
+      { return array.Components == components && array.InType == type && array.OutType == type; });
   };
-  const std::vector<MovedArray> vectors = take(3);
-  const std::vector<MovedArray> scalars = take(1);
-  std::vector<VectorsAndScalars> pairs;
-  for (std::size_t i = 0; i < std::min(vectors.size(), scalars.size()); ++i)
+  std::vector<VectorsAndScalars<T>> pairs;
+  for (auto a = find(3), b = find(1); a != arrays.end() && b != arrays.end();
+    a = find(3), b = find(1))
   {
-    const auto in = [](const MovedArray& array) { return static_cast<const double*>(array.In); };
-    const auto out = [](const MovedArray& array) { return static_cast<double*>(array.Out); };
-    pairs.push_back({ in(vectors[i]), in(scalars[i]), out(vectors[i]), out(scalars[i]) });
-    const auto isOfPair = [&](const MovedArray& array)
-    { return array.Out == vectors[i].Out || array.Out == scalars[i].Out; };
-    arrays.erase(std::remove_if(arrays.begin(), arrays.end(), isOfPair), arrays.end());
+    const auto in = [](const MovedArray& array) { return static_cast<const T*>(array.In); };
+    const auto out = [](const MovedArray& array) { return static_cast<T*>(array.Out); };
+    pairs.push_back({ in(*a), in(*b), out(*a), out(*b) });
+    arrays.erase(std::max(a, b));
+    arrays.erase(std::min(a, b));
   }
   return pairs;
+}
+
+/// Sums the chains of pairs.
+template <typename T>
+void SumPairs(const ChainOperator::ChainsView& view, const std::vector<VectorsAndScalars<T>>& pairs)
+{
+  for (const VectorsAndScalars<T>& pair : pairs)
+  {
+    SumChains(view, pair);
+  }
 }
 
 }
@@ -59,15 +60,14 @@ std::vector<VectorsAndScalars> TakePairs(std::vector<MovedArray>& arrays)
 void ApplyChains(const ChainOperator& operation, const std::vector<MovedArray>& arrays)
 {
   std::vector<MovedArray> single = arrays;
-  const std::vector<VectorsAndScalars> pairs = TakePairs(single);
+  const auto doubles = TakePairs<double>(VTK_DOUBLE, single);
+  const auto floats = TakePairs<float>(VTK_FLOAT, single);
   const Appliers<ChainBlocks> appliers(single);
   operation.ForEachChains(
     [&](const ChainOperator::ChainsView& view)
     {
-      for (const VectorsAndScalars& pair : pairs)
-      {
-        SumChains(view, pair);
-      }
+      SumPairs(view, doubles);
+      SumPairs(view, floats);
       appliers.Apply(view);
     });
 }

@@ -90,10 +90,11 @@ struct OneArray
 };
 
 /// Where the sums of consecutive points go: to an array of vectors and one of scalars.
+template <typename T>
 class ToVectorsAndScalars
 {
 public:
-  ToVectorsAndScalars(double* vectors, double* scalars)
+  ToVectorsAndScalars(T* vectors, T* scalars)
     : Vectors(vectors)
     , Scalars(scalars)
   {
@@ -103,7 +104,7 @@ public:
     this->Vectors += 3 * points;
     this->Scalars += points;
   }
-  void Copy(const double* values) const
+  void Copy(const T* values) const
   {
     std::copy_n(values, 3, this->Vectors);
     *this->Scalars = values[3];
@@ -113,45 +114,46 @@ public:
   {
     if (Kind == ChainValues::Any && !sum.IsFinite())
     {
-      double values[4];
+      T values[4];
       StoreSums(sum, values, instead);
       this->Copy(values);
       return;
     }
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 4; ++c)
     {
-      this->Vectors[c] = sum[c];
+      T& value = c < 3 ? this->Vectors[c] : *this->Scalars;
+      value = Kind == ChainValues::Any ? subdivision::Store<T>(sum[c]) : static_cast<T>(sum[c]);
     }
-    *this->Scalars = sum[3];
   }
 
 private:
-  double* Vectors;
-  double* Scalars;
+  T* Vectors;
+  T* Scalars;
 };
 
 /// Vectors, such as points, and scalars side by side: compilers sum two numbers at a time. Both are
-/// in double, so that nothing is rounded after a step.
+/// of one type, to which values are rounded after each step.
+template <typename T>
 struct VectorsAndScalars
 {
-  using Value = double;
+  using Value = T;
   static constexpr int Known = 4;
   static constexpr vtkIdType GetStride() { return 4; }
-  void Read(vtkIdType column, double* to) const
+  void Read(vtkIdType column, T* to) const
   {
-    const double* vector = this->Vectors + 3 * column;
-    const double values[4] = { vector[0], vector[1], vector[2], this->Scalars[column] };
+    const T* vector = this->Vectors + 3 * column;
+    const T values[4] = { vector[0], vector[1], vector[2], this->Scalars[column] };
     std::copy_n(values, 4, to);
   }
-  ToVectorsAndScalars GetResult(vtkIdType row) const
+  ToVectorsAndScalars<T> GetResult(vtkIdType row) const
   {
     return { this->VectorResults + 3 * row, this->ScalarResults + row };
   }
 
-  const double* Vectors;
-  const double* Scalars;
-  double* VectorResults;
-  double* ScalarResults;
+  const T* Vectors;
+  const T* Scalars;
+  T* VectorResults;
+  T* ScalarResults;
 };
 
 /// `Arrays`: OneArray, or what has the same members.

@@ -108,7 +108,8 @@ public:
   double& operator[](int c) { return reinterpret_cast<double*>(&this->Numbers[c / 2])[c % 2]; }
   double operator[](int c) const { return this->Numbers[c / 2][c % 2]; }
   void Clear() { this->Numbers[0] = this->Numbers[1] = Two{}; }
-  void Set(const double* values)
+  template <typename In>
+  void Set(const In* values)
   {
     this->Numbers[0] = Read(values);
     this->Numbers[1] = Read(values + 2);
@@ -118,12 +119,14 @@ public:
     this->Numbers[0] *= weight;
     this->Numbers[1] *= weight;
   }
-  void Add(const double* values)
+  template <typename In>
+  void Add(const In* values)
   {
     this->Numbers[0] += Read(values);
     this->Numbers[1] += Read(values + 2);
   }
-  void Add(double weight, const double* values)
+  template <typename In>
+  void Add(double weight, const In* values)
   {
     this->Numbers[0] += weight * Read(values);
     this->Numbers[1] += weight * Read(values + 2);
@@ -139,6 +142,14 @@ public:
     return zeros[0] + zeros[1] == 0.;
   }
   void Write(double* values) const { std::memcpy(values, this->Numbers, sizeof(this->Numbers)); }
+  template <typename Out>
+  void Write(Out* values) const
+  {
+    for (int c = 0; c < 4; ++c)
+    {
+      values[c] = Store<Out>((*this)[c]);
+    }
+  }
 
 private:
   using Two = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
@@ -147,6 +158,11 @@ private:
     Two two;
     std::memcpy(&two, values, sizeof(two));
     return two;
+  }
+  template <typename In>
+  static Two Read(const In* values)
+  {
+    return Two{ static_cast<double>(values[0]), static_cast<double>(values[1]) };
   }
 
   Two Numbers[2];
