@@ -64,6 +64,7 @@ public:
   {
     return this->Firsts.empty() ? simplex * this->OfEach : this->Firsts[simplex];
   }
+  vtkIdType GetNumberOfSimplices() const { return this->Size; }
   vtkIdType GetLength() const { return (*this)[this->Size]; }
   /// The simplex that a place belongs to.
   vtkIdType Find(vtkIdType place) const
@@ -79,6 +80,13 @@ private:
   vtkIdType OfEach = 1; ///< if Firsts is empty
   Buffer<vtkIdType> Firsts;
 };
+
+/// Where the children of each simplex start after some steps.
+inline SimplexStarts FindChildren(const SimplexList& simplices, int steps)
+{
+  return SimplexStarts(
+    simplices, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
+}
 
 }
 

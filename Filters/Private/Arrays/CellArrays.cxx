@@ -2,6 +2,7 @@
 #include "Private/Arrays/CellArrays.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/SimplexStarts.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -16,28 +17,18 @@
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
 
 namespace subdivision
 {
 namespace
 {
 
-/// The first child of each simplex, and the number of all children last.
-Buffer<vtkIdType> FindChildren(const SimplexList& simplices, int levels)
-{
-  const vtkIdType size = simplices.GetNumberOfSimplices();
-  Buffer<vtkIdType> first(size + 1);
-  ForEach(
-    size, [&](vtkIdType i) { first[i] = vtkIdType(1) << (simplices.Dimensions[i] * levels); });
-  CountsToOffsets(first);
-  return first;
-}
-
 /// Gives each simplex's value of `bytes` bytes to all of its children.
 template <typename Value>
-void Spread(const Buffer<vtkIdType>& first, const Value& value, std::size_t bytes, char* out)
+void Spread(const SimplexStarts& first, const Value& value, std::size_t bytes, char* out)
 {
-  ForEach(first.size() - 1,
+  ForEach(first.GetNumberOfSimplices(),
     [&](vtkIdType i)
     {
       const char* from = value(i);
@@ -49,15 +40,15 @@ void Spread(const Buffer<vtkIdType>& first, const Value& value, std::size_t byte
 }
 
 vtkSmartPointer<vtkAbstractArray> SpreadArray(
-  vtkAbstractArray* array, const SimplicesOfCells& cells, const Buffer<vtkIdType>& first)
+  vtkAbstractArray* array, const SimplicesOfCells& cells, const SimplexStarts& first)
 {
   auto parent = [&](vtkIdType i) { return cells.ParentCells.empty() ? i : cells.ParentCells[i]; };
   vtkDataArray* data = vtkDataArray::SafeDownCast(array);
-  const vtkIdType children = first[first.size() - 1];
+  const vtkIdType children = first.GetLength();
   if (!data || data->GetDataType() == VTK_BIT)
   {
     Buffer<vtkIdType> sources(children);
-    ForEach(first.size() - 1, [&](vtkIdType i)
+    ForEach(first.GetNumberOfSimplices(), [&](vtkIdType i)
       { std::fill(sources.data() + first[i], sources.data() + first[i + 1], parent(i)); });
     return Gather(array, { sources.begin(), sources.end() });
   }
@@ -128,16 +119,16 @@ vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {
-  Buffer<vtkIdType> first; // empty until an array needs it
+  std::optional<SimplexStarts> first; // none until an array needs it
   auto spread = [&](vtkAbstractArray* array)
   {
-    if (first.empty())
+    if (!first)
     {
-      first = FindChildren(cells.Simplices, options.Levels);
+      first.emplace(FindChildren(cells.Simplices, options.Levels));
     }
     const bool unchanged =
-      cells.ParentCells.empty() && first[first.size() - 1] == input->GetNumberOfCells();
-    return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, first);
+      cells.ParentCells.empty() && first->GetLength() == input->GetNumberOfCells();
+    return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, *first);
   };
   CopyArrays(
     input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, output);
@@ -177,10 +168,10 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output)
 {
-  const Buffer<vtkIdType> first = FindChildren(simplices, levels);
+  const SimplexStarts first = FindChildren(simplices, levels);
   vtkNew<vtkUnsignedCharArray> array;
   array->SetName(name);
-  array->SetNumberOfTuples(first[first.size() - 1]);
+  array->SetNumberOfTuples(first.GetLength());
   if (array->GetNumberOfTuples() > 0)
   {
     Spread(

@@ -19,13 +19,6 @@ namespace
 /// How many tetrahedra are looked at together: the children of one.
 constexpr int InGroup = 8;
 
-/// Where the children of simplices begin after some steps.
-SimplexStarts FindChildren(const SimplexList& simplices, int steps)
-{
-  return SimplexStarts(
-    simplices, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
-}
-
 /// Tells the orientation of tetrahedra of an output.
 template <typename Out, typename T>
 class CellCheck
