@@ -45,6 +45,17 @@ template <typename Id>
 LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
   const Buffer<unsigned char>& wanted, const ControlSolids* solids, bool isCurvedOnly) const
 {
+  // Levels of curves and surfaces alone are small, and faster than a lattice.
+  const auto* boxSpline = std::get_if<Level<Id>>(&this->Control);
+  if (boxSpline && boxSpline->Complex.NumberOfTets > 0 && !solids && !isCurvedOnly &&
+    this->Creases.Stages.empty())
+  {
+    auto found = LocalLimit<Id>::MakeOnLattice(*boxSpline, midpoints, wanted);
+    if (found)
+    {
+      return std::move(*found);
+    }
+  }
   return std::visit([&](const auto& control)
     { return LocalLimit<Id>(control, this->Creases, midpoints, wanted, 1, solids, isCurvedOnly); },
     this->Control);

@@ -35,7 +35,7 @@ struct SolvedRows
 /// Finds the weights of `items`, the vertex and its neighbourhood; `next` is what they become on
 /// the next level. False: a rule is unknown, or a row reads more than the neighbourhood.
 template <typename Lattice, typename Id>
-bool SolveLatticeLimit(const Lattice& lattice, const std::vector<LatticeVertex<Id>>& items,
+bool SolveLatticeLimit(Lattice& lattice, const std::vector<LatticeVertex<Id>>& items,
   const std::vector<LatticeVertex<Id>>& next, std::vector<double>& weights)
 {
   VertexNumbers<LatticeVertex<Id>> known;

@@ -21,6 +21,7 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace subdivision
@@ -48,6 +49,16 @@ public:
     const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1,
     const ControlSolids* solids = nullptr, bool isCurvedOnly = false);
+
+  /**
+   * The same by the box-spline scheme without making levels: rows follow from where vertices lie,
+   * and have the members, the order and the weights that they have on levels (LatticeRings.h), so
+   * that results have the same bits. Nothing is semi-sharp, and there are no normals. Midpoints are
+   * those of edges; this is not checked. Empty where a rule is not known, or ends lie in no
+   * simplex.
+   */
+  static std::optional<LocalLimit> MakeOnLattice(const Level<Id>& control,
+    const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
@@ -79,6 +90,8 @@ public:
   vtkIdType GetNumberOfSupportValues() const;
 
 private:
+  LocalLimit() = default;
+
   /// One step, and the limits of the wanted vertices that first exist on its level.
   struct Step
   {
@@ -91,6 +104,7 @@ private:
   };
   template <typename LevelType>
   class Builder;
+  class LatticeBuilder;
   std::array<vtkIdType, 2> GetSizesBetween() const;
   static void AddShading(const Step& step, const double* points,
     const Buffer<unsigned char>& turned, Buffer<double>& normals);

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Solids/Limits/LatticePlaces.h"
+
+#include "Core/Memory/Ids.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace subdivision
+{
+
+template <typename Id>
+std::uint64_t LatticePlaces<Id>::Carrier::GetHash() const
+{
+  std::uint64_t hash = 0;
+  for (const Id corner : this->Corners)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(corner)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+template <typename Id>
+int LatticePlaces<Id>::Carrier::GetSize() const
+{
+  const auto isCorner = [](Id corner) { return corner >= 0; };
+  return static_cast<int>(std::count_if(this->Corners.begin(), this->Corners.end(), isCorner));
+}
+
+template <typename Id>
+bool LatticePlaces<Id>::Find(const std::vector<std::array<Id, 2>>& midpoints)
+{
+  this->Midpoints.reserve(midpoints.size());
+  for (const auto& ends : InTurn(midpoints))
+  {
+    Place place;
+    const Id next = this->GetNumberOfVertices();
+    if (ends[0] < 0 || ends[1] < 0 || ends[0] >= next || ends[1] >= next ||
+      !this->Unite(ends, place))
+    {
+      return false;
+    }
+    this->Midpoints.push_back(place);
+  }
+  this->FindSimplices();
+  return std::none_of(this->Midpoints.begin(), this->Midpoints.end(),
+    [this](const Place& place) { return this->Simplices[place.Carrier].Number < 0; });
+}
+
+/// Finds the place between two others. False: they lie in no simplex.
+template <typename Id>
+bool LatticePlaces<Id>::Unite(const std::array<Id, 2>& ends, Place& place)
+{
+  const Place a = this->GetPlace(ends[0]);
+  const Place b = this->GetPlace(ends[1]);
+  place.Level = 1 + std::max(a.Level, b.Level);
+  place.Carrier = a.Carrier;
+  if (a.Carrier != b.Carrier)
+  {
+    const auto& first = this->Carriers.Vertices[a.Carrier].Corners;
+    const auto& second = this->Carriers.Vertices[b.Carrier].Corners;
+    std::array<Id, 8> corners;
+    const auto isEnd = [](Id corner) { return corner < 0; };
+    const auto last = std::set_union(first.begin(), std::find_if(first.begin(), first.end(), isEnd),
+      second.begin(), std::find_if(second.begin(), second.end(), isEnd), corners.begin());
+    if (last - corners.begin() > 4)
+    {
+      return false;
+    }
+    Carrier both{ { { -1, -1, -1, -1 } } };
+    std::copy(corners.begin(), last, both.Corners.begin());
+    place.Carrier = static_cast<Id>(this->Carriers.GetNumber(both));
+  }
+  const LatticeWeights ofFirst = this->GetWeights(a, place.Carrier);
+  const LatticeWeights ofSecond = this->GetWeights(b, place.Carrier);
+  for (int i = 0; i < 4; ++i)
+  {
+    place.Weights[i] =
+      (ofFirst[i] << (place.Level - 1 - a.Level)) + (ofSecond[i] << (place.Level - 1 - b.Level));
+  }
+  return place.Level <= MostLevels;
+}
+
+/// The weights of the corners of a larger carrier.
+template <typename Id>
+LatticeWeights LatticePlaces<Id>::GetWeights(const Place& place, Id carrier) const
+{
+  if (place.Carrier == carrier)
+  {
+    return place.Weights;
+  }
+  LatticeWeights weights{};
+  const auto& from = this->Carriers.Vertices[place.Carrier].Corners;
+  const auto& to = this->Carriers.Vertices[carrier].Corners;
+  for (int i = 0, k = 0; i < 4 && from[i] >= 0; ++i, ++k)
+  {
+    while (to[k] != from[i])
+    {
+      ++k;
+    }
+    weights[k] = place.Weights[i];
+  }
+  return weights;
+}
+
+template <typename Id>
+void LatticePlaces<Id>::FindSimplices()
+{
+  this->Simplices.resize(this->Carriers.Vertices.size());
+  for (std::size_t c = 0; c < this->Simplices.size(); ++c)
+  {
+    const Carrier& carrier = this->Carriers.Vertices[c];
+    if (carrier.GetSize() == 1)
+    {
+      this->Simplices[c].Number = carrier.Corners[0];
+    }
+  }
+  this->FindSimplicesAmong(this->Complex.EdgeVertices, 2);
+  this->FindSimplicesAmong(this->Complex.FaceVertices, 3);
+  this->FindSimplicesAmong(this->Complex.TetVertices, 4);
+}
+
+template <typename Id>
+void LatticePlaces<Id>::FindSimplicesAmong(const Buffer<Id>& vertices, int size)
+{
+  Buffer<unsigned char> isCorner(this->Complex.NumberOfVertices, 0);
+  for (const Carrier& carrier : InTurn(this->Carriers.Vertices))
+  {
+    for (int k = 0; carrier.GetSize() == size && k < size; ++k)
+    {
+      isCorner[carrier.Corners[k]] = 1;
+    }
+  }
+  ForEachInTurn(vertices.size() / size,
+    [&](vtkIdType i)
+    {
+      const Id* corners = vertices.data() + size * i;
+      if (!std::all_of(corners, corners + size, [&](Id v) { return isCorner[v] != 0; }))
+      {
+        return;
+      }
+      Carrier carrier{ { { -1, -1, -1, -1 } } };
+      for (int k = 0; k < size; ++k) // g++ takes std::sort for one that reads beyond the array
+      {
+        carrier.Corners[k] = corners[k];
+        for (int j = k; j > 0 && carrier.Corners[j] < carrier.Corners[j - 1]; --j)
+        {
+          std::swap(carrier.Corners[j], carrier.Corners[j - 1]);
+        }
+      }
+      const std::ptrdiff_t found = this->Carriers.Find(carrier);
+      if (found >= 0)
+      {
+        Simplex& simplex = this->Simplices[static_cast<std::size_t>(found)];
+        simplex.Number = static_cast<Id>(i);
+        for (int k = 0; k < size; ++k)
+        {
+          simplex.Order[k] = static_cast<signed char>(
+            std::find(carrier.Corners.begin(), carrier.Corners.end(), corners[k]) -
+            carrier.Corners.begin());
+        }
+      }
+    });
+}
+
+template <typename Id>
+LatticeVertex<Id> LatticePlaces<Id>::GetMidpoint(Id vertex) const
+{
+  const Place& place = this->Midpoints[vertex - this->First];
+  const Simplex& simplex = this->Simplices[place.Carrier];
+  LatticeVertex<Id> found;
+  found.Dimension = this->Carriers.Vertices[place.Carrier].GetSize() - 1;
+  found.Simplex = simplex.Number;
+  for (int k = 0; k <= found.Dimension; ++k)
+  {
+    found.Weights[k] = place.Weights[simplex.Order[k]];
+  }
+  return found;
+}
+
+SUBDIVISION_COMPILE(class LatticePlaces);
+
+}
