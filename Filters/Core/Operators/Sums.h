@@ -36,8 +36,8 @@ Out* CopyValues(const In* from, vtkIdType size, Out* to)
   }
 }
 
-/// The sums of W components. They are an object outside of the loop over rows: compilers then add
-/// two at a time, but not in an array inside of it.
+/// The sums of W components. They are an object outside of the loop over rows: compilers then keep
+/// them in registers.
 template <int W>
 class Sums
 {
@@ -100,72 +100,121 @@ private:
 };
 
 #ifdef __GNUC__
-/// Four components, two in a register.
+/// Two components in one register.
 template <>
-class Sums<4>
+class Sums<2>
 {
 public:
-  double& operator[](int c) { return reinterpret_cast<double*>(&this->Numbers[c / 2])[c % 2]; }
-  double operator[](int c) const { return this->Numbers[c / 2][c % 2]; }
-  void Clear() { this->Numbers[0] = this->Numbers[1] = Two{}; }
+  double& operator[](int c) { return reinterpret_cast<double*>(&this->Numbers)[c]; }
+  double operator[](int c) const { return this->Numbers[c]; }
+  void Clear() { this->Numbers = Two{}; }
   template <typename In>
   void Set(const In* values)
   {
-    this->Numbers[0] = Read(values);
-    this->Numbers[1] = Read(values + 2);
+    this->Numbers = Read(values);
   }
-  void Scale(double weight)
-  {
-    this->Numbers[0] *= weight;
-    this->Numbers[1] *= weight;
-  }
+  void Scale(double weight) { this->Numbers *= weight; }
   template <typename In>
   void Add(const In* values)
   {
-    this->Numbers[0] += Read(values);
-    this->Numbers[1] += Read(values + 2);
+    this->Numbers += Read(values);
   }
   template <typename In>
   void Add(double weight, const In* values)
   {
-    this->Numbers[0] += weight * Read(values);
-    this->Numbers[1] += weight * Read(values + 2);
+    this->Numbers += weight * Read(values);
   }
-  void Add(double weight, const Sums& other)
-  {
-    this->Numbers[0] += weight * other.Numbers[0];
-    this->Numbers[1] += weight * other.Numbers[1];
-  }
+  void Add(double weight, const Sums& other) { this->Numbers += weight * other.Numbers; }
   bool IsFinite() const
   {
-    const Two zeros = this->Numbers[0] * 0. + this->Numbers[1] * 0.; // not numbers otherwise
+    const Two zeros = this->Numbers * 0.; // not numbers otherwise
     return zeros[0] + zeros[1] == 0.;
   }
-  void Write(double* values) const { std::memcpy(values, this->Numbers, sizeof(this->Numbers)); }
   template <typename Out>
   void Write(Out* values) const
   {
-    for (int c = 0; c < 4; ++c)
-    {
-      values[c] = Store<Out>((*this)[c]);
-    }
+    values[0] = Store<Out>(this->Numbers[0]);
+    values[1] = Store<Out>(this->Numbers[1]);
   }
+  void Write(double* values) const { std::memcpy(values, &this->Numbers, sizeof(this->Numbers)); }
 
 private:
   using Two = double __attribute__((vector_size(2 * sizeof(double)), may_alias));
+  template <typename In>
+  static Two Read(const In* values)
+  {
+    return Two{ static_cast<double>(values[0]), static_cast<double>(values[1]) };
+  }
   static Two Read(const double* values)
   {
     Two two;
     std::memcpy(&two, values, sizeof(two));
     return two;
   }
-  template <typename In>
-  static Two Read(const In* values)
+
+  Two Numbers;
+};
+
+/// Two components and others.
+template <int W>
+class JoinedSums
+{
+public:
+  double& operator[](int c) { return c < 2 ? this->First[c] : this->Others[c - 2]; }
+  double operator[](int c) const { return c < 2 ? this->First[c] : this->Others[c - 2]; }
+  void Clear()
   {
-    return Two{ static_cast<double>(values[0]), static_cast<double>(values[1]) };
+    this->First.Clear();
+    this->Others.Clear();
+  }
+  template <typename In>
+  void Set(const In* values)
+  {
+    this->First.Set(values);
+    this->Others.Set(values + 2);
+  }
+  void Scale(double weight)
+  {
+    this->First.Scale(weight);
+    this->Others.Scale(weight);
+  }
+  template <typename In>
+  void Add(const In* values)
+  {
+    this->First.Add(values);
+    this->Others.Add(values + 2);
+  }
+  template <typename In>
+  void Add(double weight, const In* values)
+  {
+    this->First.Add(weight, values);
+    this->Others.Add(weight, values + 2);
+  }
+  void Add(double weight, const JoinedSums& other)
+  {
+    this->First.Add(weight, other.First);
+    this->Others.Add(weight, other.Others);
+  }
+  bool IsFinite() const { return this->First.IsFinite() && this->Others.IsFinite(); }
+  template <typename Out>
+  void Write(Out* values) const
+  {
+    this->First.Write(values);
+    this->Others.Write(values + 2);
   }
 
-  Two Numbers[2];
+private:
+  Sums<2> First;
+  Sums<W - 2> Others;
+};
+
+template <>
+class Sums<3> : public JoinedSums<3>
+{
+};
+template <>
+class Sums<4> : public JoinedSums<4>
+{
 };
 #endif
 
