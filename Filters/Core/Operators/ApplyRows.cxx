@@ -258,7 +258,18 @@ void ApplyToArrays(
     ApplyChains(*chains, arrays);
     return;
   }
-  const PackedArrays packed(operation, arrays);
+  PackedArrays packed;
+  packed.Take(arrays, operation.GetNumberOfRows());
+  packed.Start(arrays, operation.GetNumberOfRows(), false);
+  ApplyToArrays(operation, packed, std::move(arrays), also);
+}
+
+void ApplyToArrays(const PointOperator& operation, PackedArrays& packed,
+  std::vector<MovedArray> arrays, const PointOperator::User& also)
+{
+  arrays.erase(
+    std::remove_if(arrays.begin(), arrays.end(), [](const MovedArray& array) { return !array.In; }),
+    arrays.end());
   const Appliers<RowBlocks> appliers(arrays);
   operation.ForEachBlock(
     [&](const RowsView& view)
@@ -270,6 +281,7 @@ void ApplyToArrays(
         also(view);
       }
     });
+  packed.Finish();
 }
 
 void SumRows(const RowsView& rows, const double* in, double* out, int components)

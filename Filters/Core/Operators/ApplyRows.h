@@ -31,12 +31,19 @@ struct MovedArray
   std::shared_ptr<const void> Owner = nullptr;
 };
 
+class PackedArrays;
+
 /// Applies an operator to all arrays in one pass, so that each row is made or read only once. Each
 /// block goes to `also` too, if it is not empty. An operator with values between makes a pass for
 /// each array, so that only one array has such values at a time, and `also` must be empty. So it
 /// must be for an operator of chains.
 void ApplyToArrays(const PointOperator& operation, std::vector<MovedArray> arrays,
   const PointOperator::User& also = PointOperator::User());
+
+/// The same for operators one after the other, that have neither chains nor values between:
+/// `packed` was told to start with these arrays, and has what stays side by side.
+void ApplyToArrays(const PointOperator& operation, PackedArrays& packed,
+  std::vector<MovedArray> arrays, const PointOperator::User& also = PointOperator::User());
 
 /// Values of any type in double: they themselves if they are, else `converted`.
 const double* ReadDoubles(const void* in, int type, vtkIdType size, Buffer<double>& converted);

@@ -110,51 +110,81 @@ const Id* GetNumbers(const WeightedRows<Id>& rows)
 
 }
 
-bool PackedArrays::CanBePacked(const MovedArray& array, vtkIdType rows)
+bool PackedArrays::CanBePacked(const MovedArray& array)
 {
-  constexpr vtkIdType rowsOfColumn = 3; // below, copies cost more than they save
   const auto isExact = [](int type)
   { return type == VTK_DOUBLE || type == VTK_FLOAT || type == VTK_UNSIGNED_CHAR; };
-  return array.Tuples > 0 && rowsOfColumn * array.Tuples <= rows && array.Components <= Lanes &&
-    isExact(array.InType) && isExact(array.OutType);
+  return array.Tuples > 0 && array.Components <= Lanes && isExact(array.InType) &&
+    isExact(array.OutType);
 }
 
-PackedArrays::PackedArrays(const PointOperator& operation, std::vector<MovedArray>& arrays)
+void PackedArrays::Take(std::vector<MovedArray>& arrays, vtkIdType rows)
 {
-  std::vector<MovedArray> left;
-  for (const MovedArray& array : arrays)
+  if (!this->IsEmpty())
   {
-    if (!CanBePacked(array, operation.GetNumberOfRows()))
+    return;
+  }
+  constexpr vtkIdType rowsOfColumn = 3; // below, copies cost more than they save
+  for (std::size_t place = 0; place < arrays.size(); ++place)
+  {
+    const MovedArray& array = arrays[place];
+    if (!CanBePacked(array) || rows < rowsOfColumn * array.Tuples)
     {
-      left.push_back(array);
       continue;
     }
     const auto pack = std::find_if(this->Packs.begin(), this->Packs.end(), [&](const Pack& p)
       { return p.Size + array.Components <= Lanes && p.Arrays[0].Tuples == array.Tuples; });
     Pack& fitting = pack == this->Packs.end() ? this->Packs.emplace_back() : *pack;
     fitting.Arrays.push_back(array);
+    fitting.Places.push_back(place);
     fitting.Size += array.Components;
   }
   const auto isSingle = [](const Pack& pack) { return pack.Arrays.size() < 2; };
-  for (const Pack& pack : this->Packs)
-  {
-    if (isSingle(pack))
-    {
-      left.push_back(pack.Arrays[0]);
-    }
-  }
   this->Packs.erase(
     std::remove_if(this->Packs.begin(), this->Packs.end(), isSingle), this->Packs.end());
   for (Pack& pack : this->Packs)
   {
     Fill(pack);
-    for (MovedArray& array : pack.Arrays)
+    for (std::size_t k = 0; k < pack.Arrays.size(); ++k)
     {
-      array.In = nullptr;
-      array.Owner = nullptr;
+      for (MovedArray* array : { &pack.Arrays[k], &arrays[pack.Places[k]] })
+      {
+        array->In = nullptr;
+        array->Owner = nullptr;
+      }
     }
   }
-  arrays = std::move(left); // which lets go of the others
+}
+
+bool PackedArrays::Has(std::size_t place) const
+{
+  return std::any_of(this->Packs.begin(), this->Packs.end(), [place](const Pack& pack)
+    { return std::find(pack.Places.begin(), pack.Places.end(), place) != pack.Places.end(); });
+}
+
+void PackedArrays::Start(const std::vector<MovedArray>& arrays, vtkIdType rows, bool staying)
+{
+  for (Pack& pack : this->Packs)
+  {
+    for (std::size_t k = 0; k < pack.Arrays.size(); ++k)
+    {
+      pack.Arrays[k].Out = arrays[pack.Places[k]].Out;
+    }
+    pack.Results = Buffer<double>(staying ? Lanes * rows : 0);
+  }
+}
+
+void PackedArrays::Finish()
+{
+  const bool areDone = !this->IsEmpty() && this->Packs[0].Results.empty();
+  for (Pack& pack : this->Packs)
+  {
+    pack.Values = std::move(pack.Results);
+  }
+  if (areDone)
+  {
+    this->Packs.clear();
+  }
 }
 
 void PackedArrays::Fill(Pack& pack)
@@ -219,29 +249,58 @@ void PackedArrays::Store(
   }
 }
 
-void PackedArrays::Apply(const RowsView& view) const
+/// Rounds results that stay as they would be in their arrays.
+template <typename Rows>
+void PackedArrays::Round(Pack& pack, const Rows& rows)
 {
-  if (this->Packs.empty())
+  double* results = pack.Results.data();
+  const auto* numbers = GetNumbers(rows);
+  for (const MovedArray& array : pack.Arrays)
   {
-    return;
-  }
-  std::visit(
-    [this](const auto& rows)
+    if (array.OutType != VTK_DOUBLE)
     {
-      ForBlocks(0, rows.Count,
-        [&](vtkIdType begin, vtkIdType end)
+      WithType(array.OutType,
+        [&](auto value)
         {
-          double sums[Lanes * BlockSize];
-          const auto* numbers = GetNumbers(rows);
-          for (const Pack& pack : this->Packs)
+          using Out = decltype(value);
+          for (vtkIdType i = 0; i < rows.Count; ++i)
           {
-            SumRows(Cut(rows, begin, end - begin), pack.Values.data(), sums, Lanes);
-            Store(
-              pack, sums, rows.FirstRow + begin, numbers ? numbers + begin : nullptr, end - begin);
+            double* row =
+              results + Lanes * (numbers ? static_cast<vtkIdType>(numbers[i]) : rows.FirstRow + i);
+            std::transform(row, row + array.Components, row,
+              [](double sum) { return static_cast<double>(subdivision::Store<Out>(sum)); });
           }
         });
-    },
-    view);
+    }
+    results += array.Components;
+  }
+}
+
+template <typename Rows>
+void PackedArrays::SumAndStore(const Pack& pack, const Rows& rows)
+{
+  ForBlocks(0, rows.Count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      double sums[Lanes * BlockSize];
+      const auto* numbers = GetNumbers(rows);
+      SumRows(Cut(rows, begin, end - begin), pack.Values.data(), sums, Lanes);
+      Store(pack, sums, rows.FirstRow + begin, numbers ? numbers + begin : nullptr, end - begin);
+    });
+}
+
+void PackedArrays::Apply(const RowsView& view)
+{
+  for (Pack& pack : this->Packs)
+  {
+    if (pack.Results.empty())
+    {
+      std::visit([&pack](const auto& rows) { SumAndStore(pack, rows); }, view);
+      continue;
+    }
+    SumRows(view, pack.Values.data(), pack.Results.data(), Lanes);
+    std::visit([&pack](const auto& rows) { Round(pack, rows); }, view);
+  }
 }
 
 }

@@ -62,6 +62,14 @@ void FillCentres(vtkDataArray* array, const SimplicesOfCells& cells)
     means.data(), array->GetVoidPointer(first * components), array->GetDataType(), means.size());
 }
 
+/// An array that an operator moves, and keeps as long as it needs it.
+MovedArray MoveFrom(const vtkSmartPointer<vtkDataArray>& array)
+{
+  const int type = array->GetDataType();
+  return { array->GetVoidPointer(0), type, nullptr, type, array->GetNumberOfComponents(),
+    array->GetNumberOfTuples(), { array.GetPointer(), [array](const void*) {} } };
+}
+
 /// Divides the values of each tuple by the last one, which becomes 1.
 template <typename Value>
 void DivideByWeights(Value* values, int components, vtkIdType tuples)
@@ -243,37 +251,59 @@ void PointArrays::StartOrigins()
   }
 }
 
-/// Applies an operator to all arrays that are smoothed. Each block goes to `also` too.
-void PointArrays::AdvanceSmoothed(const PointOperator& operation, const PointOperator::User& also)
+std::vector<vtkSmartPointer<vtkDataArray>*> PointArrays::ListSmoothed()
 {
-  this->HasMoved = true;
-  this->Doubles = Buffer<double>();
-  std::vector<MovedArray> arrays;
-  auto replace = [&](vtkSmartPointer<vtkDataArray>& array)
-  {
-    const vtkSmartPointer<vtkDataArray> from = array;
-    const int type = from->GetDataType();
-    const int components = from->GetNumberOfComponents();
-    array = MakeArray(type, components, operation.GetNumberOfRows());
-    CopyLooks(from, array);
-    if (array->GetNumberOfValues() > 0)
-    {
-      arrays.push_back({ from->GetVoidPointer(0), type, array->GetVoidPointer(0), type, components,
-        from->GetNumberOfTuples(), { from.GetPointer(), [from](const void*) {} } });
-    }
-  };
+  std::vector<vtkSmartPointer<vtkDataArray>*> smoothed;
   if (!this->FinalPoints)
   {
-    replace(this->Points);
+    smoothed.push_back(&this->Points);
   }
   for (Entry& entry : this->Entries)
   {
     if (entry.Current)
     {
-      replace(entry.Current);
+      smoothed.push_back(&entry.Current);
     }
   }
-  ApplyToArrays(operation, std::move(arrays), also);
+  return smoothed;
+}
+
+/// Applies an operator to all arrays that are smoothed. Each block goes to `also` too.
+void PointArrays::AdvanceSmoothed(
+  const PointOperator& operation, const PointOperator::User& also, bool goesOn)
+{
+  this->HasMoved = true;
+  this->Doubles = Buffer<double>();
+  const bool areStaying = goesOn && !this->Options.HasMaterialFields;
+  const bool arePacked = areStaying || !this->Packed.IsEmpty();
+  const vtkIdType rows = operation.GetNumberOfRows();
+  const std::vector<vtkSmartPointer<vtkDataArray>*> smoothed = this->ListSmoothed();
+  std::vector<MovedArray> arrays;
+  for (const vtkSmartPointer<vtkDataArray>* array : smoothed)
+  {
+    arrays.push_back(MoveFrom(*array));
+  }
+  if (arePacked)
+  {
+    this->Packed.Take(arrays, rows);
+  }
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    const vtkSmartPointer<vtkDataArray> from = *smoothed[i];
+    const bool isEmpty = areStaying && this->Packed.Has(i);
+    *smoothed[i] = MakeArray(arrays[i].InType, arrays[i].Components, isEmpty ? 0 : rows);
+    CopyLooks(from, *smoothed[i]);
+    arrays[i].Out = (*smoothed[i])->GetVoidPointer(0);
+  }
+  if (rows > 0 && arePacked)
+  {
+    this->Packed.Start(arrays, rows, areStaying);
+    ApplyToArrays(operation, this->Packed, std::move(arrays), also);
+  }
+  else if (rows > 0)
+  {
+    ApplyToArrays(operation, std::move(arrays), also);
+  }
   for (const Entry& entry : this->Entries)
   {
     if (this->HasWeights(entry))
@@ -330,9 +360,9 @@ void PointArrays::Advance(const PointOperator& operation)
   this->NumberOfPoints = operation.GetNumberOfRows();
 }
 
-void PointArrays::Advance(const PointOperator& operation, const OriginOfRow& origin)
+void PointArrays::Advance(const PointOperator& operation, const OriginOfRow& origin, bool goesOn)
 {
-  this->AdvanceSmoothed(operation);
+  this->AdvanceSmoothed(operation, PointOperator::User(), goesOn);
   if (this->HasGathered)
   {
     Buffer<vtkIdType> next(operation.GetNumberOfRows());

@@ -8,6 +8,7 @@
 #define SubdivisionObjects_PointArrays_h
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Operators/PackedArrays.h"
 #include "Core/Operators/PointOperator.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -121,7 +122,9 @@ public:
   void Advance(const PointOperator& operation);
   /// The same for an operator of other rows: `origin(row)` is that point.
   using OriginOfRow = std::function<vtkIdType(vtkIdType)>;
-  void Advance(const PointOperator& operation, const OriginOfRow& origin);
+  /// `goesOn`: the next call is Advance again, and nobody asks for values before; both operators
+  /// have blocks of rows only.
+  void Advance(const PointOperator& operation, const OriginOfRow& origin, bool goesOn = false);
   /// The same for rows that copy a point: `origin(row)`. The first `staying` ones are the points
   /// that the next operator keeps, in their order.
   void Take(const PointOperator& operation, const OriginOfRow& origin, vtkIdType staying);
@@ -199,8 +202,9 @@ private:
   }
   void FindInterpolated(
     const InterpolationOptions& options, const std::function<void(const std::string&)>& warn);
-  void AdvanceSmoothed(
-    const PointOperator& operation, const PointOperator::User& also = PointOperator::User());
+  std::vector<vtkSmartPointer<vtkDataArray>*> ListSmoothed();
+  void AdvanceSmoothed(const PointOperator& operation,
+    const PointOperator::User& also = PointOperator::User(), bool goesOn = false);
   template <typename Id>
   void FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) const;
   void StartOrigins();
@@ -218,6 +222,7 @@ private:
   vtkSmartPointer<vtkDataArray> Normals;
   vtkSmartPointer<vtkDataArray> Tangents[2];
   std::vector<Entry> Entries;
+  PackedArrays Packed;                     ///< values of those arrays that are empty for now
   std::vector<Interpolated> ToInterpolate; ///< in an order that all parts of a mesh have
   bool HasGathered = false;
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input

@@ -61,14 +61,16 @@ bool SurfaceRun<Id>::Execute()
     {
       this->AppendFactors(rows);
     }
-    this->Points->Advance(rows,
+    this->Points->Advance(
+      rows,
       [&](vtkIdType row)
       {
         thread_local std::vector<vtkIdType> parents;
         this->Steps->GetParents(this->MadeLevels + step, row, parents);
         return *std::min_element(parents.begin(), parents.end(),
           [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
-      });
+      },
+      step + 1 < levels);
     if (!this->Scheme->KeepsVertices())
     {
       this->Points->ForgetInputPoints();

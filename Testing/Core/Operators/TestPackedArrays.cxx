@@ -53,8 +53,11 @@ void Check(const PointOperator& operation, const std::string& name, bool wild)
     array.Owner = std::make_shared<int>(0);
     owners.emplace_back(array.Owner);
   }
-  const PackedArrays packed(operation, arrays);
-  EXPECT_EQ(arrays.size(), 5u) << name << ": long long, nine components, and three without partner";
+  PackedArrays packed;
+  packed.Take(arrays, rows);
+  EXPECT_EQ(
+    std::count_if(arrays.begin(), arrays.end(), [](const auto& array) { return array.In; }), 5)
+    << name << ": long long, nine components, and three without partner";
   const auto kept =
     std::count_if(owners.begin(), owners.end(), [](const auto& owner) { return !owner.expired(); });
   EXPECT_EQ(kept, 5) << name << ": values that were copied are let go";
@@ -64,6 +67,114 @@ void Check(const PointOperator& operation, const std::string& name, bool wild)
   }
 }
 
+BlockOperator<int> MakeWeights(vtkIdType columns)
+{
+  return BlockOperator<int>(columns, 5 * columns + 7,
+    [columns](vtkIdType begin, vtkIdType end, RowBlock<int>& rows)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        std::mt19937 random(static_cast<unsigned int>(row));
+        const int entries = row % 7 == 0 ? 1 : static_cast<int>(random() % 12);
+        for (int i = 0; i < entries; ++i)
+        {
+          rows.Add(random() % columns, row % 7 == 0 ? 1. : 0.01 * (random() % 50));
+        }
+        rows.EndRow();
+      }
+    });
+}
+
+/// The same rows, the last one first.
+class Backward : public PointOperator
+{
+public:
+  explicit Backward(const BlockOperator<int>& operation)
+    : Rows(operation.Store())
+  {
+    const vtkIdType rows = operation.GetNumberOfRows();
+    for (vtkIdType i = 0; i < rows; ++i)
+    {
+      this->Numbers.push_back(static_cast<int>(rows - 1 - i));
+    }
+  }
+  vtkIdType GetNumberOfColumns() const override { return this->Rows.NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override
+  {
+    return static_cast<vtkIdType>(this->Numbers.size());
+  }
+  void ForEachBlock(const User& use) const override
+  {
+    const vtkIdType size = this->GetNumberOfRows();
+    for (const vtkIdType half : { vtkIdType(0), size / 2 })
+    {
+      WeightedRows<int> rows = this->Rows.GetRows(half, half == 0 ? size / 2 : size);
+      rows.Numbers = this->Numbers.data() + half;
+      use(rows);
+    }
+  }
+
+private:
+  SparseRows<int> Rows;
+  std::vector<int> Numbers;
+};
+
+/// Values that stay side by side between two operators get the bits of those that go to their
+/// arrays.
+void CheckStaying(const PointOperator& first, const PointOperator& second, bool wild)
+{
+  std::mt19937 random(7);
+  PackedArrays packed;
+  std::vector<StoredValues> all;
+  for (const auto& [type, components] :
+    std::vector<std::array<int, 2>>{ { VTK_FLOAT, 3 }, { VTK_DOUBLE, 3 }, { VTK_DOUBLE, 1 },
+      { VTK_LONG_LONG, 1 }, { VTK_UNSIGNED_CHAR, 1 }, { VTK_DOUBLE, 5 } })
+  {
+    all.push_back(
+      MakeStoredValues(type, type, components, first.GetNumberOfColumns(), random, wild));
+  }
+  std::vector<StoredValues> single = all;
+  for (const PointOperator* operation : { &first, &second })
+  {
+    const vtkIdType rows = operation->GetNumberOfRows();
+    const bool isFirst = operation == &first;
+    std::vector<MovedArray> arrays;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      for (StoredValues* values : { &all[i], &single[i] })
+      {
+        values->In = isFirst ? values->In : values->Out;
+        values->Tuples = operation->GetNumberOfColumns();
+        values->Resize(rows);
+      }
+      ApplyToArrays(*operation, { single[i].GetArray() });
+      arrays.push_back(all[i].GetArray());
+      arrays.back().In = packed.Has(i) ? nullptr : arrays.back().In;
+    }
+    packed.Take(arrays, rows);
+    packed.Start(arrays, rows, isFirst);
+    ApplyToArrays(*operation, packed, arrays);
+    EXPECT_EQ(packed.IsEmpty(), !isFirst);
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      ASSERT_EQ(packed.Has(i), isFirst && i != 3 && i != 5) << i;
+      EXPECT_TRUE(packed.Has(i) || CountDifferences(all[i], single[i]) == 0) << "array " << i;
+    }
+  }
+}
+
+}
+
+TEST(PackedArrays, StayBetweenOperators)
+{
+  const BlockOperator<int> weights = MakeWeights(100);
+  const BlockOperator<int> more = MakeWeights(weights.GetNumberOfRows());
+  for (const bool wild : { false, true })
+  {
+    CheckStaying(weights, more, wild);
+    CheckStaying(Backward(weights), more, wild);
+    CheckStaying(weights, Backward(more), wild);
+  }
 }
 
 TEST(PackedArrays, HaveTheSameBitsInRowsOfRings)
@@ -82,21 +193,7 @@ TEST(PackedArrays, HaveTheSameBitsInRowsOfRings)
 
 TEST(PackedArrays, HaveTheSameBitsInRowsWithWeights)
 {
-  constexpr vtkIdType columns = 300;
-  const BlockOperator<int> operation(columns, 5 * columns + 7,
-    [](vtkIdType begin, vtkIdType end, RowBlock<int>& rows)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        std::mt19937 random(static_cast<unsigned int>(row));
-        const int entries = row % 7 == 0 ? 1 : static_cast<int>(random() % 12);
-        for (int i = 0; i < entries; ++i)
-        {
-          rows.Add(random() % columns, row % 7 == 0 ? 1. : 0.01 * (random() % 50));
-        }
-        rows.EndRow();
-      }
-    });
+  const BlockOperator<int> operation = MakeWeights(300);
   Check(operation, "weights", false);
   Check(operation, "weights, wild values", true);
 }
