@@ -149,6 +149,36 @@ void SumBlock(const EqualRows<Id>& rows, const In* in, Out* out, int components)
   SumEqualRows<N, 0>(rows, in, out, components);
 }
 
+template <int N, typename Id, typename In, typename Out>
+void SumBlock(const QuadRows<Id>& rows, const In* in, Out* out, int components)
+{
+  constexpr int width = Width<N>;
+  const vtkIdType stride = N == 0 ? components : N;
+  double weights[4];
+  std::copy_n(rows.Weights, 4, weights);
+  Out* result = out + rows.FirstRow * stride;
+  Sums<width> sums;
+  for (const Id* columns = rows.Columns; columns < rows.Columns + 4 * rows.Count; columns += 16)
+  {
+    const In* values[4];
+    std::transform(columns, columns + 4, values,
+      [&](Id column) { return in + stride * static_cast<vtkIdType>(column); });
+    for (int row = 0; row < 4; ++row)
+    {
+      for (int first = 0; first < stride; first += width)
+      {
+        sums.Clear();
+        for (int k = 0; k < 4; ++k)
+        {
+          sums.Add(weights[k], values[(row + k) % 4] + first);
+        }
+        sums.Write(result + first);
+      }
+      result += stride;
+    }
+  }
+}
+
 // ------------------------------------------------------------------------------------------------
 // Types of values
 

@@ -298,6 +298,24 @@ private:
     }
   }
 
+  template <typename Id>
+  void Count(const QuadRows<Id>& rows)
+  {
+    std::fill_n(this->Entries.data() + rows.FirstRow, rows.Count, 4);
+  }
+  template <typename Id>
+  void Write(const QuadRows<Id>& rows)
+  {
+    for (vtkIdType i = 0; i < rows.Count; ++i)
+    {
+      for (int k = 0; k < 4; ++k)
+      {
+        Set(
+          this->Rows, this->Entries[rows.FirstRow + i] + k, rows.GetColumn(i, k), rows.Weights[k]);
+      }
+    }
+  }
+
   const PointOperator& Operation;
   const vtkIdType NumberOfColumns;
   Buffer<long long> Entries;        ///< of each row; counts, then offsets

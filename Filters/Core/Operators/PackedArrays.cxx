@@ -78,6 +78,12 @@ EqualRows<Id> Cut(const EqualRows<Id>& rows, vtkIdType begin, vtkIdType count)
   return { 0, count, rows.Size, rows.Columns + rows.Size * begin, rows.Weights };
 }
 template <typename Id>
+QuadRows<Id> Cut(const QuadRows<Id>& rows, vtkIdType begin, vtkIdType count)
+{
+  static_assert(BlockSize % 4 == 0, "a block has whole quads");
+  return { 0, count, rows.Columns + 4 * begin, rows.Weights };
+}
+template <typename Id>
 RingRows<Id> Cut(const RingRows<Id>& rows, vtkIdType begin, vtkIdType count)
 {
   RingRows<Id> part = rows;

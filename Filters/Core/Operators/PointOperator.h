@@ -83,6 +83,20 @@ struct EqualRows
   const double* Weights;
 };
 
+/// The rows of the corners of quads, with the same weights in all of them: of each four rows, row k
+/// has the four columns of the first one from the k-th on, in a circle. Count is a multiple of
+/// four.
+template <typename Id>
+struct QuadRows
+{
+  vtkIdType FirstRow;
+  vtkIdType Count;
+  const Id* Columns; ///< four at the beginning of 16 for each quad
+  const double* Weights;
+
+  Id GetColumn(vtkIdType row, int k) const { return this->Columns[row / 4 * 16 + (row + k) % 4]; }
+};
+
 /// Rows without weights, all of vertices, of edges, or of centres. The weights follow from the rule
 /// and the size of the ring.
 template <typename Id>
@@ -126,8 +140,9 @@ struct RingRows
   }
 };
 
-using RowsView = std::variant<CopiedRows, RowsOfFour, WeightedRows<int>, WeightedRows<long long>,
-  EqualRows<int>, EqualRows<long long>, RingRows<int>, RingRows<long long>>;
+using RowsView =
+  std::variant<CopiedRows, RowsOfFour, WeightedRows<int>, WeightedRows<long long>, EqualRows<int>,
+    EqualRows<long long>, QuadRows<int>, QuadRows<long long>, RingRows<int>, RingRows<long long>>;
 
 /// out = S in, for interleaved values per column. Each row is summed in double, in the order of its
 /// entries, and stored in the type of the array; integers are rounded.

@@ -40,9 +40,16 @@ public:
   {
     return this->AddGroups<1>(weights, most, fill);
   }
+  /// Adds the rows of the corners of up to `most` quads (QuadRows): fill(i, columns) writes the
+  /// four corners of quad i, or returns false. Returns how many rows there are.
+  template <typename Fill>
+  vtkIdType AddQuads(const std::array<double, 4>& weights, vtkIdType most, const Fill& fill)
+  {
+    return this->AddGroups<4, true>(weights, most, fill);
+  }
   /// The same for groups of OfEach rows: fill(i, columns) writes the columns of all rows of group
   /// i. Returns how many rows there are.
-  template <int OfEach, std::size_t N, typename Fill>
+  template <int OfEach, bool OfQuads = false, std::size_t N, typename Fill>
   vtkIdType AddGroups(const std::array<double, N>& weights, vtkIdType most, const Fill& fill)
   {
     const std::size_t needed = this->Size + OfEach * N * static_cast<std::size_t>(most);
@@ -67,14 +74,14 @@ public:
       end[i] = static_cast<Id>(this->Size);
     }
     if (!this->Runs.empty() && this->Runs.back().Weights == weights.data() &&
-      this->Runs.back().End == row)
+      this->Runs.back().OfQuads == OfQuads && this->Runs.back().End == row)
     {
       this->Runs.back().End += static_cast<std::size_t>(count);
     }
     else if (count > 0)
     {
-      this->Runs.push_back(
-        { row, row + static_cast<std::size_t>(count), static_cast<int>(N), weights.data() });
+      this->Runs.push_back({ row, row + static_cast<std::size_t>(count), static_cast<int>(N),
+        weights.data(), OfQuads });
     }
     return count;
   }
@@ -114,24 +121,21 @@ public:
   {
     return static_cast<std::size_t>(this->Offsets[row + 1]);
   }
-  const Id* GetColumns() const { return this->Columns.data(); }
+  const Id* GetColumns() const
+  {
+    this->WriteAll();
+    return this->Columns.data();
+  }
   const double* GetWeights() const
   {
-    if (this->Written < this->GetNumberOfRows())
-    {
-      for (const Run& run : this->Runs)
-      {
-        this->WriteWeights(run, this->Written);
-      }
-      this->Written = this->GetNumberOfRows();
-    }
+    this->WriteAll();
     return this->Weights.data();
   }
 
   /// The rows as those from row `first` on of an operator.
   WeightedRows<Id> GetRows(vtkIdType first) const
   {
-    this->GetWeights(); // writes them
+    this->WriteAll();
     return this->GetRows(first, 0, this->GetNumberOfRows());
   }
   /// use(rows): the same in parts, of which many have equal rows.
@@ -143,7 +147,7 @@ public:
     {
       if (run.End - run.Begin < WorthACall)
       {
-        this->WriteWeights(run, this->Written);
+        this->Write(run, this->Written);
         continue;
       }
       if (done < run.Begin)
@@ -153,8 +157,9 @@ public:
       const vtkIdType row = first + static_cast<vtkIdType>(run.Begin);
       const vtkIdType count = static_cast<vtkIdType>(run.End - run.Begin);
       const Id* columns = this->Columns.data() + this->GetBegin(run.Begin);
-      run.Weights ? use(EqualRows<Id>{ row, count, run.Size, columns, run.Weights })
-                  : use(CopiedRows{ row, count, static_cast<vtkIdType>(*columns) });
+      run.OfQuads     ? use(QuadRows<Id>{ row, count, columns, run.Weights })
+        : run.Weights ? use(EqualRows<Id>{ row, count, run.Size, columns, run.Weights })
+                      : use(CopiedRows{ row, count, static_cast<vtkIdType>(*columns) });
       done = run.End;
     }
     if (done < this->GetNumberOfRows())
@@ -187,20 +192,38 @@ private:
     std::size_t End;
     int Size;
     const double* Weights;
+    bool OfQuads; ///< of each four rows only the first has its columns before Write
   };
-  /// Writes the weights of those rows of a run that are not before row `begin`.
-  void WriteWeights(const Run& run, std::size_t begin) const
+  /// Writes the weights, and columns of quads, of those rows of a run that are not before `begin`.
+  void Write(const Run& run, std::size_t begin) const
   {
     for (std::size_t row = std::max(begin, run.Begin); row < run.End; ++row)
     {
       std::copy_n(run.Weights ? run.Weights : One.data(), run.Size,
         this->Weights.begin() + this->GetBegin(row));
+      const std::size_t turn = run.OfQuads ? (row - run.Begin) % 4 : 0;
+      if (turn > 0)
+      {
+        const auto quad = this->Columns.begin() + this->GetBegin(row - turn);
+        std::rotate_copy(quad, quad + turn, quad + 4, quad + 4 * turn);
+      }
+    }
+  }
+  void WriteAll() const
+  {
+    if (this->Written < this->GetNumberOfRows())
+    {
+      for (const Run& run : this->Runs)
+      {
+        this->Write(run, this->Written);
+      }
+      this->Written = this->GetNumberOfRows();
     }
   }
 
   std::vector<Run> Runs;
-  std::vector<Id> Columns;
-  /// Those of long runs are not there before somebody asks for them: sums do not need them.
+  /// What Write makes of long runs is not there before somebody asks for it: sums do not need it.
+  mutable std::vector<Id> Columns;
   mutable std::vector<double> Weights;
   mutable std::size_t Written = 0; ///< how many rows have all of them
   std::vector<Id> Offsets{ Id(0) };

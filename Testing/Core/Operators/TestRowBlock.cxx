@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -55,6 +57,34 @@ vtkIdType AddRun(const std::array<double, N>& weights, vtkIdType row, vtkIdType 
   return count;
 }
 
+/// Quads, none to four at a time.
+vtkIdType AddQuads(vtkIdType row, vtkIdType most, bool inRuns, RowBlock<int>& rows)
+{
+  const vtkIdType wanted = row % 5;
+  if (inRuns)
+  {
+    return rows.AddQuads(Four, most / 4,
+      [&](vtkIdType i, int* corners)
+      {
+        for (std::size_t k = 0; k < 4; ++k)
+        {
+          corners[k] = GetColumn(row + 4 * i, k);
+        }
+        return i < wanted;
+      });
+  }
+  const vtkIdType count = 4 * std::min(wanted, most / 4);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      rows.Add(GetColumn(row + i / 4 * 4, (static_cast<std::size_t>(i) + k) % 4), Four[k]);
+    }
+    rows.EndRow();
+  }
+  return count;
+}
+
 BlockOperator<int> MakeOperator(bool inRuns)
 {
   return BlockOperator<int>(Columns, Rows,
@@ -63,6 +93,7 @@ BlockOperator<int> MakeOperator(bool inRuns)
       for (vtkIdType row = begin; row < end; ++row)
       {
         row += AddRun(Four, row, end - row, inRuns, rows);
+        row += AddQuads(row, end - row, inRuns, rows);
         row += AddRun(Nine, row, end - row, inRuns, rows);
         row += AddRun(Five, row, end - row, inRuns, rows);
         if (row < end)
@@ -114,17 +145,46 @@ TEST(RowBlock, RunsAreStoredAsRows)
 TEST(RowBlock, LongRunsArePassedAsEqualRows)
 {
   vtkIdType equal = 0;
+  vtkIdType quads = 0;
   vtkIdType all = 0;
   MakeOperator(true).ForEachBlock(
     [&](const subdivision::RowsView& view)
     {
       const auto* found = std::get_if<subdivision::EqualRows<int>>(&view);
       equal += found ? found->Count : 0;
+      const auto* ofQuads = std::get_if<subdivision::QuadRows<int>>(&view);
+      quads += ofQuads ? ofQuads->Count : 0;
       all += std::visit([](const auto& rows) { return rows.Count; }, view);
     });
   EXPECT_EQ(all, Rows);
-  EXPECT_GT(equal, Rows / 2);
-  EXPECT_LT(equal, Rows);
+  EXPECT_GT(equal, Rows / 4);
+  EXPECT_GT(quads, Rows / 10);
+  EXPECT_LT(equal + quads, Rows);
+}
+
+TEST(RowBlock, QuadsHaveAllColumnsWhereTheyAreAskedFor)
+{
+  RowBlock<int> rows;
+  vtkIdType quads = 0;
+  for (const vtkIdType more : { 3, 1, 20 })
+  {
+    rows.AddQuads(Four, more,
+      [quads](vtkIdType i, int* corners)
+      {
+        std::iota(corners, corners + 4, static_cast<int>(10 * (quads + i)));
+        return true;
+      });
+    quads += more;
+    ASSERT_EQ(rows.GetNumberOfRows(), 4u * static_cast<std::size_t>(quads));
+    for (vtkIdType row = 0; row < 4 * quads; ++row)
+    {
+      const int* columns = rows.GetColumns() + rows.GetBegin(static_cast<std::size_t>(row));
+      for (vtkIdType k = 0; k < 4; ++k)
+      {
+        EXPECT_EQ(columns[k], 10 * (row / 4) + (row + k) % 4) << row;
+      }
+    }
+  }
 }
 
 TEST(RowBlock, WeightsAreThereWheneverTheyAreAskedFor)

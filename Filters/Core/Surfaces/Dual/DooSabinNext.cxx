@@ -7,6 +7,10 @@
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
 namespace subdivision
 {
 namespace
@@ -53,20 +57,21 @@ template <typename Id, typename GetVertex>
 void AppendCorners(
   vtkIdType size, vtkIdType begin, vtkIdType end, const GetVertex& getVertex, RowBlock<Id>& rows)
 {
-  const auto get = [&](vtkIdType k) { return getVertex(k < size ? k : k - size); };
   if (size == 4)
   {
-    rows.AddRun(DooSabinQuad, end - begin,
-      [&](vtkIdType i, Id* columns)
+    AppendQuads(
+      DooSabinQuad, begin, end,
+      [&](vtkIdType, Id* corners)
       {
         for (vtkIdType k = 0; k < 4; ++k)
         {
-          columns[k] = get(begin + i + k);
+          corners[k] = getVertex(k);
         }
-        return true;
-      });
+      },
+      rows);
     return;
   }
+  const auto get = [&](vtkIdType k) { return getVertex(k < size ? k : k - size); };
   thread_local std::vector<double> weights;
   if (static_cast<vtkIdType>(weights.size()) != size)
   {
@@ -90,6 +95,20 @@ void AppendInside(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, Row
     const Id face = next.Mesh.GetFace(static_cast<Id>(begin));
     const Id first = next.Mesh.GetFirst(face);
     const vtkIdType size = next.Mesh.GetSize(face);
+    if (first == begin)
+    {
+      const vtkIdType whole = rows.AddQuads(DooSabinQuad, (end - begin) / 4,
+        [&](vtkIdType i, Id* corners)
+        {
+          std::iota(corners, corners + 4, static_cast<Id>(begin + 4 * i));
+          return next.Mesh.GetSize(static_cast<Id>(face + i)) == 4;
+        });
+      begin += whole;
+      if (whole > 0)
+      {
+        continue;
+      }
+    }
     const vtkIdType last = std::min(size, end - first);
     AppendCorners(
       size, begin - first, last, [first](vtkIdType k) { return static_cast<Id>(first + k); }, rows);
@@ -101,23 +120,18 @@ template <typename Id>
 void AppendAlong(const NextLevel<Id>& next, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
   Id corner = FindByCount(next.Places.Sides, begin / 4);
-  vtkIdType at = begin % 4;
-  rows.AddRun(DooSabinQuad, end - begin,
-    [&](vtkIdType, Id* columns)
+  AppendQuads(
+    DooSabinQuad, begin, end,
+    [&](vtkIdType, Id* corners)
     {
       while (!next.IsFirst(corner))
       {
         ++corner;
       }
-      const std::array<Id, 4> face = next.GetFaceAlong(corner);
-      for (vtkIdType k = 0; k < 4; ++k)
-      {
-        columns[k] = face[(at + k) % 4];
-      }
-      at = (at + 1) % 4;
-      corner += at == 0;
-      return true;
-    });
+      const std::array<Id, 4> face = next.GetFaceAlong(corner++);
+      std::copy(face.begin(), face.end(), corners);
+    },
+    rows);
 }
 
 template <typename Id>

@@ -111,6 +111,25 @@ private:
   }
 };
 
+/// Appends the rows of the corners of whole quads, from the first corner of a face on, as far as
+/// there are some. Returns how many rows there are.
+template <typename Id>
+vtkIdType AppendWholeQuads(
+  const PolygonMesh<Id>& mesh, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+{
+  const Id face = begin < end ? mesh.GetFace(static_cast<Id>(begin)) : 0;
+  if (begin >= end || mesh.GetFirst(face) != begin)
+  {
+    return 0;
+  }
+  return rows.AddQuads(DooSabinQuad, (end - begin) / 4,
+    [&](vtkIdType i, Id* corners)
+    {
+      std::copy_n(mesh.Vertices.data() + begin + 4 * i, 4, corners);
+      return mesh.GetSize(static_cast<Id>(face + i)) == 4;
+    });
+}
+
 /// Writes the vertices of a corner's face from the corner on, if it is a quad.
 template <typename Id>
 bool FindQuad(const PolygonMesh<Id>& mesh, Id corner, Id columns[4])
@@ -138,6 +157,7 @@ void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surface
   std::vector<double> weights;
   for (vtkIdType row = begin; row < end; ++row)
   {
+    row += AppendWholeQuads(mesh, row, std::min(end, corners), rows);
     row += rows.AddRun(DooSabinQuad, std::max<vtkIdType>(std::min(end, corners) - row, 0),
       [&](vtkIdType i, Id* columns) { return FindQuad(mesh, static_cast<Id>(row + i), columns); });
     if (row == end)
