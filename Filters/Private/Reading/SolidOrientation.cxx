@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <optional>
 
 namespace subdivision
 {
@@ -159,11 +160,15 @@ InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const vtkIdType size = control.GetNumberOfSimplices();
   const SimplexStarts firsts = FindChildren(control, levels);
   const bool knows = !signs.Signs.empty();
-  const SimplexStarts firstSigns = FindChildren(control, knows ? levels - signs.Steps : 0);
+  std::optional<SimplexStarts> firstSigns;
+  if (knows)
+  {
+    firstSigns.emplace(FindChildren(control, levels - signs.Steps));
+  }
   const int shift = 3 * signs.Steps;
   const auto getSign = [&](vtkIdType i, vtkIdType cell) -> int
   {
-    const vtkIdType place = firstSigns[i] + ((cell - firsts[i]) >> shift);
+    const vtkIdType place = (*firstSigns)[i] + ((cell - firsts[i]) >> shift);
     return signs.Signs[static_cast<std::size_t>(place)];
   };
   std::atomic<vtkIdType> count(0);

@@ -3,8 +3,8 @@
  * @file SignOfChildren.h
  * The sign of the volumes of the children of tetrahedra, told from their lattice points while these
  * are at hand: reading the cells of an output once more takes longer than writing them. Four
- * tetrahedra are looked at side by side, first in single precision: what rounds there by less than
- * a volume has the sign of that volume.
+ * tetrahedra are looked at side by side, first in single precision, then in double: volumes that
+ * are larger than what they may round by have their sign.
  */
 #ifndef SubdivisionObjects_SignOfChildren_h
 #define SubdivisionObjects_SignOfChildren_h
@@ -122,8 +122,8 @@ Volumes<Real> FindVolumes(const std::array<const Coordinate<Real>*, 10>& at)
 }
 
 /// Finds the sign that the volumes of all children of a tetrahedron have (tetrahedron::Children),
-/// or of all their children; 0: several, or that is not known, because products may overflow or
-/// vanish. A volume that rounds to the wrong sign belongs to a flat child.
+/// or of all their children; 0: several, or that is not known, because one may be rounding, or
+/// products may overflow or vanish.
 template <int Parents>
 class SignOfChildren
 {
@@ -156,9 +156,10 @@ public:
   void Finish()
   {
     signed char signs[Lanes];
-    if (this->Count > 0 && !this->FindInSingle(signs))
+    // The range of sizes keeps products within the range of numbers.
+    if (this->Count > 0 && !this->Find<float>(signs, 1e-10F, 1e10F))
     {
-      this->FindInDouble(signs);
+      this->Find<double>(signs, 1e-80, 1e80);
     }
     for (int lane = 0; lane < this->Count; ++lane)
     {
@@ -212,33 +213,36 @@ private:
     return all;
   }
 
-  /// Returns whether all signs are known then.
-  bool FindInSingle(signed char (&signs)[Lanes]) const
+  /// Returns whether all signs are known then. Coordinates beside the middle of the diagonal are
+  /// between `least` and `most`.
+  template <typename Real>
+  bool Find(signed char (&signs)[Lanes], Real least, Real most) const
   {
-    // With coordinates up to r, which round by 2^-24 r at most, a volume rounds by less than
-    // 530 r^3 / 2^24: differences by 4, products of two by 48, and sums of three with these by 530.
-    constexpr float part = 4e-5F;
-    constexpr float nearest = 1e-10F; // so that no product leaves the range of numbers
-    constexpr float farthest = 1e10F;
-    Lattice<float> at;
-    float reach[Lanes];
+    // With coordinates up to r, which round by e r at most, a volume rounds by less than 530 e r^3:
+    // differences by 4, products of two by 48, and sums of three with these by 530.
+    constexpr Real part = 300 * std::numeric_limits<Real>::epsilon(); // e is half of it
+    Lattice<Real> at;
+    Real reach[Lanes];
     this->Move(at, reach);
-    const auto volumes = FindVolumes<float>(at);
-    bool isKnown = true;
+    const auto volumes = FindVolumes<Real>(at);
+    bool areKnown = true;
     for (int lane = 0; lane < this->Count; ++lane)
     {
-      const float r = reach[lane];
-      const float bound = part * r * r * r;
-      const bool isInRange =
-        r > nearest && r < farthest && volumes.Sums[lane] - volumes.Sums[lane] == 0.F;
-      signs[lane] = volumes.Least[lane] > bound ? 1 : volumes.Greatest[lane] < -bound ? -1 : 0;
-      isKnown = isKnown && isInRange && signs[lane] != 0;
+      const Real r = reach[lane];
+      const Real bound = part * r * r * r;
+      const bool areNumbers =
+        r > least && r < most && volumes.Sums[lane] - volumes.Sums[lane] == Real(0);
+      signs[lane] = !areNumbers           ? 0
+        : volumes.Least[lane] > bound     ? 1
+        : volumes.Greatest[lane] < -bound ? -1
+                                          : 0;
+      areKnown = areKnown && signs[lane] != 0;
     }
-    return isKnown;
+    return areKnown;
   }
-  /// The points beside the middle of the diagonal in single precision, and the largest of their
-  /// coordinates.
-  void Move(Lattice<float>& at, float (&reach)[Lanes]) const
+  /// The points beside the middle of the diagonal, and the largest of their coordinates.
+  template <typename Real>
+  void Move(Lattice<Real>& at, Real (&reach)[Lanes]) const
   {
     double middle[3][Lanes];
     for (int c = 0; c < 3; ++c)
@@ -254,38 +258,24 @@ private:
       {
         for (int lane = 0; lane < Lanes; ++lane)
         {
-          at[k][c][lane] = static_cast<float>(this->At[k][c][lane] - middle[c][lane]);
+          at[k][c][lane] = static_cast<Real>(this->At[k][c][lane] - middle[c][lane]);
         }
       }
     }
     for (int lane = 0; lane < Lanes; ++lane)
     {
-      float farthest = 0.F;
+      Real farthest = Real(0);
       for (int k = 0; k < Size; ++k)
       {
         for (int c = 0; c < 3; ++c)
         {
-          const float distance = std::abs(at[k][c][lane]);
+          const Real distance = std::abs(at[k][c][lane]);
           farthest = distance > farthest ? distance : farthest;
         }
       }
       reach[lane] = farthest;
     }
   }
-  void FindInDouble(signed char (&signs)[Lanes]) const
-  {
-    constexpr double least = 1e-250;
-    constexpr double largest = 1e250;
-    const auto volumes = FindVolumes<double>(this->At);
-    for (int lane = 0; lane < this->Count; ++lane)
-    {
-      const double sum = volumes.Sums[lane];
-      signs[lane] = volumes.Least[lane] > least && sum < largest ? 1
-        : volumes.Greatest[lane] < -least && sum > -largest      ? -1
-                                                                 : 0;
-    }
-  }
-
   const StoredPoints Points;
   signed char* const Signs;
   int Count = 0; ///< of tetrahedra whose signs are not stored yet

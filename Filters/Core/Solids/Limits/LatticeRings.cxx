@@ -89,6 +89,7 @@ LatticeRing::Chart LatticeRings<Id>::GetChart(
   int dimension, Id simplex, int size, const Id* corners) const
 {
   const Id* there = this->Lattice.GetCorners(dimension, simplex);
+  // What is not among the first ones is the last one.
   LatticeRing::Chart chart{ dimension, simplex, {} };
   for (int i = 0; i < size; ++i)
   {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <random>
@@ -212,4 +213,28 @@ TYPED_TEST(SignOfChildrenTest, ThinSolidsAreKnown)
       Some(0.08, thin, seed).ExpectNoWrongSign("children of any sign");
     }
   }
+}
+
+// Their edges at the diagonal are much longer than those at a corner.
+TYPED_TEST(SignOfChildrenTest, NeedlesHaveNoWrongSign)
+{
+  using Some = typename TestFixture::SomeTets;
+  int unknown = 0;
+  for (unsigned seed = 0; seed < 2000; ++seed)
+  {
+    Some some(0.3, 1., seed);
+    for (std::size_t i = 0; i < some.Points.size(); i += 3)
+    {
+      double* point = some.Points.data() + i;
+      const double along = std::round(2. * point[2]) / 2.;
+      for (int c = 0; c < 3; ++c)
+      {
+        point[c] = (c == 0 ? 0.07 : c == 1 ? -0.24 : 0.63) * along + 1e-8 * point[c];
+      }
+    }
+    some.ExpectNoWrongSign("needles");
+    const std::vector<int> signs = some.GetSigns();
+    unknown += static_cast<int>(std::count(signs.begin(), signs.end(), 0));
+  }
+  EXPECT_GT(unknown, 0);
 }
