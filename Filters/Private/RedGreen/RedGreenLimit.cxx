@@ -45,10 +45,9 @@ template <typename Id>
 LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
   const Buffer<unsigned char>& wanted, const ControlSolids* solids, bool isCurvedOnly) const
 {
-  // Levels of curves and surfaces alone are small, and faster than a lattice.
   const auto* boxSpline = std::get_if<Level<Id>>(&this->Control);
-  if (boxSpline && boxSpline->Complex.NumberOfTets > 0 && !solids && !isCurvedOnly &&
-    this->Creases.Stages.empty())
+  if (boxSpline && !solids && !isCurvedOnly && this->Creases.Stages.empty() &&
+    LocalLimit<Id>::IsLatticeFaster(boxSpline->Complex, midpoints))
   {
     auto found = LocalLimit<Id>::MakeOnLattice(*boxSpline, midpoints, wanted);
     if (found)

@@ -59,6 +59,11 @@ public:
    */
   static std::optional<LocalLimit> MakeOnLattice(const Level<Id>& control,
     const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
+  /// Whether that takes less time than levels. It does not where most of the mesh is curves and
+  /// surfaces, nor where few levels split much of it: on the lattice each control edge and face
+  /// has rings of its own, which cost several times as much as a vertex of a level.
+  static bool IsLatticeFaster(
+    const SimplicialComplex<Id>& control, const std::vector<std::array<Id, 2>>& midpoints);
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like

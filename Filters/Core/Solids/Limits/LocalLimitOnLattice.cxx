@@ -181,9 +181,33 @@ std::optional<LocalLimit<Id>> LocalLimit<Id>::MakeOnLattice(const Level<Id>& con
   return limit;
 }
 
+template <typename Id>
+bool LocalLimit<Id>::IsLatticeFaster(
+  const SimplicialComplex<Id>& control, const std::vector<std::array<Id, 2>>& midpoints)
+{
+  std::vector<int> levels;
+  levels.reserve(midpoints.size());
+  std::size_t onEdges = 0; // of the control mesh, in their middles
+  const auto getLevel = [&](Id v)
+  { return v < control.NumberOfVertices ? 0 : levels[v - control.NumberOfVertices]; };
+  for (const auto& [a, b] : InTurn(midpoints))
+  {
+    levels.push_back(1 + std::max(getLevel(a), getLevel(b)));
+    onEdges += levels.back() == 1 && a != b ? 1 : 0;
+  }
+  const int deepest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
+  const auto edges = static_cast<std::size_t>(control.NumberOfEdges);
+  const bool isSolid = 8 * static_cast<std::size_t>(control.NumberOfTets) > edges;
+  // Three whole levels have 1 + 8 + 64 vertices for each control edge.
+  const bool isShallow = deepest < 3 || (deepest == 3 && midpoints.size() > 36 * onEdges);
+  return isSolid && !(isShallow && 4 * onEdges > edges);
+}
+
 #define SUBDIVISION_ON_LATTICE(Id)                                                                 \
   template std::optional<LocalLimit<Id>> LocalLimit<Id>::MakeOnLattice(                            \
-    const Level<Id>&, const std::vector<std::array<Id, 2>>&, const Buffer<unsigned char>&)
+    const Level<Id>&, const std::vector<std::array<Id, 2>>&, const Buffer<unsigned char>&);        \
+  template bool LocalLimit<Id>::IsLatticeFaster(                                                   \
+    const SimplicialComplex<Id>&, const std::vector<std::array<Id, 2>>&)
 SUBDIVISION_ON_LATTICE(int);
 SUBDIVISION_ON_LATTICE(long long);
 

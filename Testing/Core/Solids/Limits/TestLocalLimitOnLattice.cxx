@@ -180,3 +180,28 @@ TEST(LocalLimitOnLattice, EndsInNoSimplex)
   EXPECT_FALSE(isMade({ { -1, 1 } }));
   EXPECT_FALSE(isMade({ { 0, 1 }, { 5, 2 } }));
 }
+
+/// Solids that are split as a whole have rings at each control edge and face, and few vertices at
+/// each of them unless levels are many.
+TEST(LocalLimitOnLattice, IsFasterOnManyLevels)
+{
+  std::mt19937 random(7);
+  const auto isFaster = [&random](const char* name, int levels, int whole)
+  {
+    const Mesh& mesh = FindInZoo(name);
+    const Ends ends = RefineByChance(mesh, levels, whole, random);
+    return LocalLimit<int>::IsLatticeFaster(Build<int>(mesh.Cells).Level.Complex, ends);
+  };
+  for (int levels = 1; levels <= 3; ++levels)
+  {
+    EXPECT_FALSE(isFaster("KuhnLattice", levels, levels)) << levels;
+  }
+  EXPECT_TRUE(isFaster("KuhnLattice", 4, 4));
+  EXPECT_TRUE(isFaster("KuhnLattice", 3, 1)); // three levels, but not whole ones
+  EXPECT_FALSE(isFaster("OpenPolyline", 6, 1));
+  // A small part of a mesh.
+  const Mesh lattice = FindInZoo("KuhnLattice");
+  const auto control = Build<int>(lattice.Cells);
+  EXPECT_TRUE(LocalLimit<int>::IsLatticeFaster(control.Level.Complex,
+    { { control.Level.Complex.EdgeVertices[0], control.Level.Complex.EdgeVertices[1] } }));
+}
