@@ -2,6 +2,7 @@
 #include "vtkMarkedSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Control/MessageWords.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/Impulse.h"
@@ -112,8 +113,8 @@ void vtkMarkedSubdivisionAlgorithm::PrepareRun(vtkDataObject* input)
     !this->SharesRanks() && (this->JoinBlocks || !vtkCompositeDataSet::SafeDownCast(input));
   this->Geometry = this->GetNumberOfInputConnections(2) > 0
     ? subdivision::GatherMesh(this->GetInputDataObject(2, 0),
-        this->SharesRanks() ? this->Controller.Get() : nullptr,
-        [this](const std::string& message) { vtkWarningMacro("Crease geometry: " << message); })
+        this->SharesRanks() ? this->Controller.Get() : nullptr, [this](const std::string& message)
+        { subdivision::TellWarning(this, "Crease geometry: " + message); })
     : nullptr;
 }
 
@@ -131,12 +132,13 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::Mark(
     [&](const std::string& message)
     {
       isUsable = false;
-      vtkWarningMacro("The selection of marks cannot be used. " << message);
+      subdivision::TellWarning(this, "The selection of marks cannot be used. " + message);
     });
   if (selected.empty() && isUsable && this->HasWholeInput)
   {
-    vtkWarningMacro("The selection (input port 1) has no point or cell of the input, so nothing is "
-                    "marked by it.");
+    subdivision::TellWarning(this,
+      "The selection (input port 1) has no point or cell of the input, so nothing is "
+      "marked by it.");
   }
   return subdivision::ChangeMeshes(readable,
     [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
@@ -166,10 +168,10 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::AddBasis(
   const auto made = subdivision::AddImpulse(readable, point, found);
   if (!found && !this->SharesRanks())
   {
-    vtkWarningMacro("BasisPoint is " << point
-                                     << ", but the input has no such point: BasisFunction is 0 "
-                                        "everywhere. Take the global id of a point or, in a data "
-                                        "set without global ids and blocks, its index.");
+    subdivision::TellWarning(this,
+      "BasisPoint is " + std::to_string(point) +
+        ", but the input has no such point: BasisFunction is 0 everywhere. Take the global id of a "
+        "point or, in a data set without global ids and blocks, its index.");
   }
   return made;
 }

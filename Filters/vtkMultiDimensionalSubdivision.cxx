@@ -2,6 +2,7 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
+#include "Private/Control/MessageWords.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Reading/InputArrays.h"
@@ -73,14 +74,15 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
   return subdivision::MakeBezierCells(part,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
       this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { vtkErrorMacro(<< text); } });
+      [this](const std::string& text) { subdivision::TellError(this, text); } });
 }
 
 bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
 {
   if (this->KeepCellTypes)
   {
-    vtkErrorMacro("With KeepCellTypes there is no operator to hand out: switch it off.");
+    subdivision::TellError(
+      this, "With KeepCellTypes there is no operator to hand out: switch it off.");
     return false;
   }
   return this->FindOperator(result);
@@ -92,12 +94,13 @@ bool vtkMultiDimensionalSubdivision::EvaluateLimit(
   const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
+    subdivision::TellError(this, error);
     return false;
   }
   if (this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    vtkErrorMacro("Places have no values that jump: switch InterfaceValues to Continuous.");
+    subdivision::TellError(
+      this, "Places have no values that jump: switch InterfaceValues to Continuous.");
     return false;
   }
   const subdivision::PlaceRequest request{ cells, parameters, result, nullptr };
@@ -139,27 +142,31 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.KeepCellTypes = this->KeepCellTypes && this->VolumeScheme == LINEAR;
   if (this->KeepCellTypes && !options.KeepCellTypes)
   {
-    vtkWarningMacro("KeepCellTypes needs VolumeScheme = LINEAR: it is ignored.");
+    subdivision::TellWarning(this, "KeepCellTypes needs VolumeScheme = Linear: it is ignored.");
   }
   if (options.KeepCellTypes &&
     (this->GenerateClassification || this->GenerateLimitNormals || this->GenerateTangents))
   {
-    vtkWarningMacro("With KeepCellTypes there are no rules and normals: GenerateClassification, "
-                    "GenerateLimitNormals and GenerateTangents are ignored.");
+    subdivision::TellWarning(this,
+      "With KeepCellTypes there are no rules and normals: GenerateClassification, "
+      "GenerateLimitNormals and GenerateTangents are ignored.");
   }
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
-    vtkWarningMacro("Bezier cells need VolumeScheme = BoxSpline or Linear, and no KeepCellTypes: "
-                    "the cells stay linear.");
+    subdivision::TellWarning(this,
+      "Bezier cells need VolumeScheme = BoxSpline or Linear, and no KeepCellTypes: "
+      "the cells stay linear.");
   }
   if (writesBezierCells && this->GenerateGlobalIds)
   {
-    vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+    subdivision::TellWarning(
+      this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
   if (writesBezierCells && this->GenerateErrorBounds)
   {
-    vtkWarningMacro("Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+    subdivision::TellWarning(
+      this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
   }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;

@@ -7,6 +7,7 @@
 #include "Private/Arrays/MatrixArrays.h"
 #include "Private/Control/CoincidentPoints.h"
 #include "Private/Control/MaterialFields.h"
+#include "Private/Control/MessageWords.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
@@ -272,8 +273,9 @@ bool vtkSubdivisionAlgorithm::RunAside()
   auto* input = source ? vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)) : nullptr;
   if (!input || this->SharesRanks())
   {
-    vtkErrorMacro("This is for one mesh in this process: the input is missing, consists of blocks, "
-                  "or is shared by several ranks.");
+    subdivision::TellError(this,
+      "This is for one mesh in this process: the input is missing, consists of blocks, "
+      "or is shared by several ranks.");
     return false;
   }
   vtkNew<vtkInformationVector> outputs;
@@ -290,8 +292,9 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   if (this->InterpolatePoints || this->InterpolateArrays ||
     this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    vtkErrorMacro("InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
-                  "no operator of few entries: switch them off.");
+    subdivision::TellError(this,
+      "InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
+      "no operator of few entries: switch them off.");
     return false;
   }
   this->Factors = found->Factors.get();
@@ -301,8 +304,9 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   if (input && found->GetNumberOfFactors() > 0 &&
     found->GetNumberOfColumns() != input->GetNumberOfPoints())
   {
-    vtkErrorMacro("Cells of higher order got points that the input does not have: the operator is "
-                  "not one of its points. Cut the cells by another filter first.");
+    subdivision::TellError(this,
+      "Cells of higher order got points that the input does not have: the operator is "
+      "not one of its points. Cut the cells by another filter first.");
     *found->Factors = subdivision::MatrixFactors();
   }
   return found->GetNumberOfFactors() > 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
+#include "Private/Control/MessageWords.h"
 #include "Private/Deformation/Deformation.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
@@ -197,16 +198,16 @@ int vtkSubdivisionDeformation::RequestData(
   {
     if (this->GetNumberOfInputConnections(port) == 0)
     {
-      vtkErrorMacro(
-        << (port == 1 ? "RestMesh (input port 1)" : "DeformedMesh (input port 2)")
-        << " is missing; the output is the input. RestMesh is a mesh of solid cells around "
-           "the input, such as a cage (vtkSubdivisionCageSource, in ParaView \"Cage "
-           "Around\"), DeformedMesh the same with its points moved.");
+      subdivision::TellError(this,
+        std::string(port == 1 ? "RestMesh (input port 1)" : "DeformedMesh (input port 2)") +
+          " is missing; the output is the input. RestMesh is a mesh of solid cells around the "
+          "input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the same with its "
+          "points moved.");
       output->ShallowCopy(object);
       return 1;
     }
   }
-  auto warn = [this](const std::string& message) { vtkWarningMacro(<< message); };
+  auto warn = [this](const std::string& message) { subdivision::TellWarning(this, message); };
   std::vector<std::string> warnings;
   vtkSmartPointer<vtkPointSet> rest;
   vtkSmartPointer<vtkPointSet> deformed;
@@ -236,8 +237,8 @@ int vtkSubdivisionDeformation::RequestData(
       if (!rest || !deformed)
       {
         options.Fail(
-          "The rest mesh and the deformed mesh must be vtkUnstructuredGrid, vtkPolyData, "
-          "structured data, or blocks of these. The output is the input.");
+          "RestMesh and DeformedMesh must be meshes with cells (vtkUnstructuredGrid, vtkPolyData, "
+          "structured data, or blocks of these). The output is the input.");
         return false;
       }
       return this->ReadFeatureOptions(rest, options) &&

@@ -2,6 +2,7 @@
 #include "vtkSurfaceSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
+#include "Private/Control/MessageWords.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceBounds.h"
@@ -46,17 +47,18 @@ bool vtkSurfaceSubdivision::EvaluateLimit(
   const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
   if (!error.empty())
   {
-    vtkErrorMacro(<< error);
+    subdivision::TellError(this, error);
     return false;
   }
   if (this->Scheme != LOOP && this->Scheme != CATMULL_CLARK)
   {
-    vtkErrorMacro("Places have limits with Scheme = Loop or CatmullClark only.");
+    subdivision::TellError(this, "Places have limits with Scheme = Loop or CatmullClark only.");
     return false;
   }
   if (this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    vtkErrorMacro("Places have no values that jump: switch InterfaceValues to Continuous.");
+    subdivision::TellError(
+      this, "Places have no values that jump: switch InterfaceValues to Continuous.");
     return false;
   }
   const subdivision::PlaceRequest request{ cells, parameters, result, nullptr };
@@ -116,7 +118,7 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
   return subdivision::MakeBezierCells(made,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
       this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { vtkErrorMacro(<< text); } });
+      [this](const std::string& text) { subdivision::TellError(this, text); } });
 }
 
 int vtkSurfaceSubdivision::RequestData(
@@ -124,10 +126,10 @@ int vtkSurfaceSubdivision::RequestData(
 {
   if (this->Adaptive)
   {
-    vtkErrorMacro(
+    subdivision::TellError(this,
       "Adaptive refinement is a filter of its own: use vtkAdaptiveSurfaceSubdivision, "
-      "in ParaView \"Adaptive Surface Subdivision\", which has the same criteria by the "
-      "same names. For uniform subdivision switch Adaptive off here.");
+      "which has the same criteria by the same names. For uniform subdivision switch Adaptive off "
+      "here.");
     return 0;
   }
   subdivision::SurfaceOptions options;
@@ -137,16 +139,19 @@ int vtkSurfaceSubdivision::RequestData(
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
-    vtkWarningMacro("Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay "
-                    "linear.");
+    subdivision::TellWarning(this,
+      "Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay "
+      "linear.");
   }
   if (writesBezierCells && this->GenerateGlobalIds)
   {
-    vtkWarningMacro("Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+    subdivision::TellWarning(
+      this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
   if (writesBezierCells && this->GenerateErrorBounds)
   {
-    vtkWarningMacro("Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+    subdivision::TellWarning(
+      this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
   }
   options.ProjectToLimit = this->ProjectToLimit || (writesBezierCells && this->Scheme != LINEAR);
   options.GenerateLimitNormals = this->GenerateLimitNormals;

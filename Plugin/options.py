@@ -11,6 +11,12 @@ ALIASES = {"NumberOfLevels": "Levels", "VolumeScheme": "Scheme", "MaximumNumberO
            "OutputDimensions": "Dimensions"}
 
 
+# Filters of VTK that messages name, and their names in the menus of ParaView.
+VTK_FILTERS = {"vtkCleanPolyData": "Clean", "vtkDataSetSurfaceFilter": "Extract Surface",
+               "vtkDataSetTriangleFilter": "Tetrahedralize", "vtkRedistributeDataSetFilter": "Redistribute DataSet",
+               "vtkStaticCleanUnstructuredGrid": "Clean to Grid", "vtkTriangleFilter": "Triangulate"}
+
+
 def split(name, between):
     """NumberOfLevels as number-of-levels or number_of_levels."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", between, name).replace("-", between).lower()
@@ -62,6 +68,11 @@ class Option:
         return {"IntVectorProperty": "int", "DoubleVectorProperty": "id" if self.is_id else "double"}[element.tag]
 
     @property
+    def shown(self):
+        """What the panel shows."""
+        return self.label if self.label != self.name else re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", self.name)
+
+    @property
     def alias(self):
         """A shorter name, or what the panel shows."""
         shown = re.sub(r"\W", "", self.label)
@@ -106,6 +117,34 @@ def read(paths):
     """All filters and sources of the files, by name."""
     proxies = [element for path in paths for element in ElementTree.parse(path).getroot().iter("SourceProxy")]
     return sorted(map(Filter, proxies), key=lambda one: one.name)
+
+
+def words(one, filters, name, classes):
+    """What messages of a filter say, and what an interface says instead. `name` gives its name of an option, `classes`
+    has its names of classes; filters of the project are added by what `name` gives."""
+    made = {other.cls: name(other) for other in sorted(filters, key=lambda other: other.has_input)}
+    made.update(classes)
+    for option in one.options:
+        shown = name(option)
+        if re.search("[a-z0-9][A-Z]", option.name):
+            made[option.name] = shown
+        else:  # a word like any other, which is an option in these places only
+            made.update({f"{option.name} =": f"{shown} =", f"set {option.name} to": f"set {shown} to",
+                         f"Set {option.name} to": f"Set {shown} to"})
+        if option.kind == "array":
+            made[f"array index {option.index}"] = shown
+        elif option.port:
+            made.update({f"input port {option.port}": shown, f"{option.name} (input port {option.port})": shown})
+    return made
+
+
+ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"})
+
+
+def quoted(text):
+    """As C++ literals, in pieces: compilers limit their lengths."""
+    pieces = [text[at:at + 100] for at in range(0, len(text), 100)] or [""]
+    return " ".join(f'"{piece.translate(ESCAPES)}"' for piece in pieces)
 
 
 def wrap(text, width, indent=""):

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
+#include "Options.h"
+
+#include "Private/Control/MessageWords.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -117,6 +120,10 @@ void CatchMessages(bool quiet)
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkNew<Window> window;
   vtkOutputWindow::SetInstance(window);
+  for (const Filter& filter : GetFilters())
+  {
+    subdivision::AddMessageWords(filter.Class, filter.Words);
+  }
 }
 
 int GetNumberOfErrors()

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_Options_h
 #define SubdivisionObjects_Options_h
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,8 @@ struct Filter
   vtkAlgorithm* (*New)();
   std::vector<Option> Options;
   std::vector<Criterion> Criteria;
+  const char* Class;
+  std::map<std::string, std::string> Words; ///< of messages, and those of the program for them
 };
 
 /// All filters and sources, by name.

@@ -6,6 +6,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, sys.argv[1])
 import options  # noqa: E402
+from options import quoted  # noqa: E402
 
 KINDS = {"bool": "Switch", "enum": "Choice", "int": "Whole", "id": "Whole", "double": "Real", "set": "Choices",
          "strings": "Names", "array": "Array", "function": "Function", "mesh": "Mesh", "selection": "Selection",
@@ -13,15 +14,6 @@ KINDS = {"bool": "Switch", "enum": "Choice", "int": "Whole", "id": "Whole", "dou
 # The largest numbers of the types, as a double holds them exactly.
 LIMITS = {"int": "2147483647.", "id": "9007199254740992.", "selection": "9007199254740992."}
 TYPES = {"bool": "bool", "enum": "int", "int": "int", "id": "vtkIdType", "double": "double"}
-
-
-ESCAPES = str.maketrans({"\\": "\\\\", '"': '\\"', "\n": "\\n", "\t": "\\t", "\r": "\\r"})
-
-
-def quoted(text):
-    """As C++ literals, in pieces: compilers limit their lengths."""
-    pieces = [text[at:at + 100] for at in range(0, len(text), 100)] or [""]
-    return " ".join(f'"{piece.translate(ESCAPES)}"' for piece in pieces)
 
 
 def setter(one, option):
@@ -62,6 +54,10 @@ def default(option):
     return ",".join(option.default) if option.kind in TYPES else ""
 
 
+def name_in_messages(one):
+    return options.split(one.short_name, "-") if isinstance(one, options.Filter) else "--" + options.split(one.name, "-")
+
+
 def option_lines(one, option):
     entries = ", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in option.entries)
     array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
@@ -73,7 +69,10 @@ def option_lines(one, option):
 """
 
 
-def filter_lines(one):
+def filter_lines(one, filters):
+    found = options.words(one, filters, name_in_messages, {
+        cls: f"{label} of ParaView" for cls, label in options.VTK_FILTERS.items()})
+    words = ", ".join(f"{{ {quoted(key)}, {quoted(value)} }}" for key, value in found.items())
     criteria = "".join(f"""  made.Criteria.push_back({{ {quoted(options.split(key[len('RefineBy'):], '-'))}, {quoted(key)}, \
 {quoted(value or '')} }});
 """ for key, value in one.criteria().items())
@@ -82,7 +81,8 @@ def filter_lines(one):
 {{
   Filter made{{ {quoted(options.split(one.short_name, '-'))}, {quoted(one.label)}, {quoted(one.short_help)},
     {quoted(help_)},
-    {str(one.has_input).lower()}, []() -> vtkAlgorithm* {{ return {one.cls}::New(); }}, {{}}, {{}} }};
+    {str(one.has_input).lower()}, []() -> vtkAlgorithm* {{ return {one.cls}::New(); }}, {{}}, {{}}, {quoted(one.cls)},
+    {{ {words} }} }};
 {''.join(option_lines(one, option) for option in one.options)}{criteria}  return made;
 }}
 
@@ -105,7 +105,7 @@ namespace subdivide
 namespace
 {{
 
-{''.join(map(filter_lines, filters))}}}
+{''.join(filter_lines(one, filters) for one in filters)}}}
 
 const std::vector<Filter>& GetFilters()
 {{

@@ -57,7 +57,11 @@ def aliases(one):
     return {snake(option.alias): option for option in one.options if option.alias and option.alias not in names}
 
 
-def table(one):
+def name_in_messages(one):
+    return snake(one.short_name if isinstance(one, options.Filter) else one.name)
+
+
+def table(one, filters):
     lines = []
     for option in one.options:
         rest = [repr(option.kind), repr(option.command)]
@@ -66,7 +70,10 @@ def table(one):
         rest += [f"port={option.port}"] if option.port else []
         rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
         lines.append(f"    {quoted(snake(option.name))}: Option({', '.join(rest)}),\n")
-    return f"_{snake(one.short_name)} = {{\n{''.join(lines)}}}\n"
+    words = "".join(f"    {quoted(key)}: {quoted(value)},\n"
+                    for key, value in options.words(one, filters, name_in_messages, {}).items())
+    name = snake(one.short_name)
+    return f"_{name} = {{\n{''.join(lines)}}}\n_{name}_words = {{\n{words}}}\n"
 
 
 def documentation(one):
@@ -84,7 +91,7 @@ def documentation(one):
     return text.replace("\\", "\\\\").replace('"""', '\\"\\"\\"').strip()
 
 
-def function(one):
+def function(one, filters):
     name = snake(one.short_name)
     arguments = ["*"]
     if one.has_input:
@@ -100,13 +107,13 @@ def function(one):
     criteria = {snake(key[len("RefineBy"):]): (snake(key), value and snake(value))
                 for key, value in one.criteria().items()}
     joined = ",\n        ".join(arguments)
-    return f'''{table(one)}
+    return f'''{table(one, filters)}
 
 def {name}(
         {joined}) -> Any:
     """{documentation(one)}
     """
-    return run({quoted(one.cls)}, _{name}, {short!r}, {criteria!r}, locals())
+    return run({quoted(one.cls)}, _{name}, {short!r}, {criteria!r}, locals(), _{name}_words)
 
 
 '''
@@ -130,7 +137,7 @@ from .run import Option, run
 __version__ = {sys.argv[2]!r}
 __all__ = {names!r}
 
-{"".join(map(function, filters))}''')
+{"".join(function(one, filters) for one in filters)}''')
 
 
 main()

@@ -161,7 +161,7 @@ def choose_criteria(criteria, refine, values):
             values[option] = number
 
 
-def run(cls, options, aliases, criteria, values):
+def run(cls, options, aliases, criteria, values, words):
     """Runs a filter of this class with the arguments of a function, and returns its output like its input."""
     from . import meshes
     made = getattr(vtkSubdivisionObjects, cls)()
@@ -181,20 +181,30 @@ def run(cls, options, aliases, criteria, values):
     for name in sorted(values, key=lambda name: options[name].kind == "array"):
         if values[name] is not None:
             options[name].apply(made, name, values[name])
-    with listen_to(made):
+    with listen_to(made, words):
         made.Update()
     return meshes.like(mesh, made.GetOutputDataObject(0))
 
 
+def replace(words, text):
+    """The text with other words; where several fit, the longest is meant."""
+    if not words:
+        return text
+    any_word = "|".join(map(re.escape, sorted(words, key=len, reverse=True)))
+    return re.sub(rf"(?<![^\W_])(?:{any_word})(?![^\W_])", lambda found: words[found[0]], text)
+
+
 @contextlib.contextmanager
-def listen_to(made):
-    """Errors become an exception, warnings those of Python, told to who called the function that calls this."""
+def listen_to(made, words=None):
+    """Errors become an exception, warnings those of Python, told to who called the function that calls this. `words` of
+    the messages are replaced by those of the caller."""
     told = {"ErrorEvent": [], "WarningEvent": []}
 
     @calldata_type(VTK_STRING)
     def listen(_, event, message):
         if "returned failure for request" not in message:  # the pipeline says once more that something failed
-            told[event].append(re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip())
+            text = re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip()
+            told[event].append(replace(words, text))
 
     observers = [(source, source.AddObserver(event, listen)) for source in (made, made.GetExecutive()) for event in told]
     try:

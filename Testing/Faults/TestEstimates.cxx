@@ -16,6 +16,7 @@
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSubdivision.h"
 
+#include <sstream>
 #include <string>
 
 using namespace feature_tools;
@@ -41,7 +42,7 @@ void Set(Filter* filter, const std::string& options)
   filter->SetCacheOperator(Has(options, 'C'));
 }
 
-/// Keeps the bytes of "About 1234 bytes", which are forgotten at the end of the work.
+/// Keeps the bytes of "About 12.3 MB", which are forgotten at the end of the work.
 void KeepEstimate(vtkObject*, unsigned long, void* kept, void*)
 {
   const std::string told = subdivision::TellEstimate();
@@ -49,7 +50,13 @@ void KeepEstimate(vtkObject*, unsigned long, void* kept, void*)
   const std::size_t at = told.find(before);
   if (at != std::string::npos)
   {
-    *static_cast<double*>(kept) = std::stod(told.substr(at + before.size()));
+    std::istringstream text(told.substr(at + before.size()));
+    std::string unit;
+    double bytes = 0.;
+    text >> bytes >> unit;
+    const std::string units[] = { "bytes", "kB", "MB", "GB" };
+    const auto found = std::find(std::begin(units), std::end(units), unit);
+    *static_cast<double*>(kept) = bytes * std::pow(1000., found - std::begin(units));
   }
 }
 

@@ -241,7 +241,7 @@ class Options(unittest.TestCase):
                 (TypeError, "levles", {"levles": 3}),
                 (ValueError, "Tet/Oct", {"scheme": "tetrahedral"}),
                 (ValueError, "the nearest is 20", {"levels": 21}),
-                (RuntimeError, "MaximumNumberOfCells = 10", {"levels": 3, "maximum_cells": 10})):
+                (RuntimeError, "maximum_number_of_cells = 10", {"levels": 3, "maximum_cells": 10})):
             with self.assertRaisesRegex(error, text):
                 subdivisionobjects.subdivide(TET, cells, **options)
         for text, wrong in (("tetra 0 has point ids", [[0, 1, 2, 4]]),

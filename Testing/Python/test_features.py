@@ -192,7 +192,7 @@ class Arrays(unittest.TestCase):
     def test_interfaces_need_materials(self):
         grid, messages = with_errors(subdivide(simple.Cone(), PreserveInterfaces=1))
         self.assertEqual(grid.GetNumberOfCells(), 0)
-        self.assertTrue(any("PreserveInterfaces" in message for message in messages), messages)
+        self.assertTrue(any('"Preserve Interfaces"' in message for message in messages), messages)
 
 
 class Interfaces(unittest.TestCase):

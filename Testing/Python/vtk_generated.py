@@ -62,6 +62,17 @@ class Generated(unittest.TestCase):
             self.assertIn(text, texts)
         self.assertEqual(texts.count(nasty), 4)  # label, short help, entry, default
 
+    def test_labels(self):
+        """The words of messages, as panels have them: a label, or the words of a name."""
+        texts, code = read_literals(generate("Plugin/write_labels.py"))
+        self.assertNotIn("\\", code)
+        words = dict(zip(texts[3::2], texts[4::2]))
+        self.assertEqual(words["RefineByIt"], '"Refine By It"')
+        self.assertEqual(words["Kind ="], f'"{LINES}" =')
+        self.assertEqual(words["vtkMadeFilter"], f'"{" ".join(NASTY.split())}"')
+        self.assertEqual(words["vtkDataSetSurfaceFilter"], '"Extract Surface"')
+        self.assertNotIn("Kind", words)  # may be a word like any other
+
     def test_python(self):
         text = generate("Python/write_functions.py", '1.0 "made"')
         tree = ast.parse(text)

@@ -201,7 +201,7 @@ class Program(unittest.TestCase):
                 (2, "did you mean --levels?", (SHIP, "x.vtu", "--levles", 2)),
                 (2, "cannot write", (SHIP, "x.txt")),
                 (1, "there is no file", ("none.vtu", "x.vtu")),
-                (1, "MaximumNumberOfCells = 1000", (SHIP, "x.vtu", "--levels", 5, "--maximum-cells", 1000)),
+                (1, "--maximum-number-of-cells = 1000", (SHIP, "x.vtu", "--levels", 5, "--maximum-cells", 1000)),
                 (1, "cannot write", (SHIP, "no-such-folder/x.vtu")),
                 (1, ".vti files cannot hold", (SHIP, "x.vti"))):
             with self.subTest(arguments):
@@ -210,6 +210,19 @@ class Program(unittest.TestCase):
                 self.assertIn(text, done.stderr)
                 self.assertTrue(all(line.startswith("subdivide: ") for line in done.stderr.splitlines()), done.stderr)
                 self.assertFalse(os.path.exists(str(arguments[1])))
+
+    def test_messages_name_options_of_the_program(self):
+        for text, arguments in (
+                ('Cell array "Nowhere" (--singular-array) is not there', ("--singular-array", "Nowhere")),
+                ("--preserve-interfaces needs a cell array of materials: set --material-array",
+                 ("--preserve-interfaces",)),
+                ("Extract Surface of ParaView, or use multi-dimensional-subdivision", ("--filter", "surface")),
+                ("--rest-mesh is missing; the output is the input. --rest-mesh is a mesh of solid cells around the "
+                 "input, such as a cage of cage-around, --deformed-mesh the same", ("--filter", "deformation"))):
+            with self.subTest(arguments):
+                told = run("thin.vtk", "told.vtu", *arguments).stderr
+                self.assertIn(text, told)
+                self.assertNotRegex(told, "array index|input port|vtk[A-Z]")
 
     def test_files_that_are_not_whole(self):
         """Some of VTK's writers crash when the disk is full, some say nothing."""

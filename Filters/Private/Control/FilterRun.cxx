@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Control/MemoryEstimate.h"
+#include "Private/Control/MessageWords.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -43,12 +44,12 @@ void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
   {
     if (!told || told->IsNew(message))
     {
-      vtkWarningWithObjectMacro(filter, << message);
+      TellWarning(filter, message);
     }
   };
   options.Fail = [filter, &failed](const std::string& message)
   {
-    vtkErrorWithObjectMacro(filter, << message);
+    TellError(filter, message);
     failed = true;
   };
   options.Progress =

@@ -12,6 +12,9 @@
 namespace subdivision
 {
 
+/// "12.3 GB": three digits, and the unit that fits.
+std::string Bytes(double bytes);
+
 /// Keeps the bytes that the work of this thread needs by an estimate.
 void KeepEstimate(double bytes);
 

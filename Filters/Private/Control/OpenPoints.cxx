@@ -199,7 +199,7 @@ public:
       " at the place of another (for instance points " + std::to_string(this->Pair[0]) + " and " +
       std::to_string(this->Pair[1]) +
       "), and cells that do not share points come apart there. If they should be joined, switch "
-      "MergePoints on, or apply Clean to Grid (surfaces: Clean) first.";
+      "MergePoints on, or apply vtkStaticCleanUnstructuredGrid (surfaces: vtkCleanPolyData) first.";
   }
 
 private:

@@ -38,12 +38,19 @@ std::string Whole(double value)
   value < 1e15 ? text << static_cast<vtkIdType>(value) : text << std::setprecision(3) << value;
   return text.str();
 }
+}
 
 std::string Bytes(double bytes)
 {
-  return Whole(bytes) + " bytes (" + Whole(bytes / 1e6) + " MB)";
-}
-
+  static const char* const units[] = { " bytes", " kB", " MB", " GB", " TB", " PB", " EB" };
+  int unit = 0;
+  for (; bytes >= 999.5 && unit < 6; ++unit)
+  {
+    bytes /= 1000.;
+  }
+  std::ostringstream text;
+  text << std::setprecision(3) << bytes << units[unit];
+  return text.str();
 }
 
 std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdType maximum)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Ranks.h"
 
+#include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/JoinedArrays.h"
 
@@ -190,8 +191,8 @@ std::string CheckMemoryForJoining(const std::vector<std::vector<MeshPart>>& part
     return std::string();
   }
   return "There is not enough memory to join blocks or partitions, which takes about " +
-    std::to_string(static_cast<long long>(bytes / 1048576.)) +
-    " MB. Use a part of the input, more ranks on other machines, or switch JoinBlocks off.";
+    Bytes(bytes) +
+    ". Use a part of the input, more ranks on other machines, or switch JoinBlocks off.";
 }
 
 std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks)
@@ -213,7 +214,7 @@ std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange&
     std::to_string(*most) + " of " +
     std::to_string(std::accumulate(all.begin(), all.end(), vtkIdType(0))) +
     ", more than three times the mean, and the others wait for it. Put "
-    "vtkRedistributeDataSetFilter (Redistribute DataSet) before this filter.";
+    "vtkRedistributeDataSetFilter before this filter.";
 }
 
 int FindPointType(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks)

@@ -99,8 +99,8 @@ bool LabelSolid::HasMemory() const
   if (bytes > GetAvailableMemory())
   {
     this->Options.Fail(std::to_string(static_cast<vtkIdType>(voxels)) + " voxels take about " +
-      std::to_string(static_cast<vtkIdType>(bytes / 1e6)) +
-      " MB, which is more than there is. Take a part of the image, or make NumberOfControlCells "
+      Bytes(bytes) +
+      ", which is more than there is. Take a part of the image, or make NumberOfControlCells "
       "smaller.");
     return false;
   }

@@ -114,13 +114,33 @@ bool HasRepeats(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& sc
   return false;
 }
 
-/// Whether a face of a polyhedron passes through a point twice.
-bool HasRepeatsInFaces(const CellIds& cell, std::vector<vtkIdType>& scratch)
+/// A ring that turns back at a point loses pieces of no size there. One that passes a point again
+/// later loses nothing.
+CellState FindRepeatsOfRing(const vtkIdType* ids, vtkIdType size, std::vector<vtkIdType>& scratch)
 {
-  bool found = false;
+  if (size >= 3 && !HasRepeats(ids, size, scratch))
+  {
+    return CellState::Good;
+  }
+  bool turnsBack = size < 3;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    turnsBack = turnsBack || ids[i] == ids[(i + 1) % size] || ids[i] == ids[(i + 2) % size];
+  }
+  return turnsBack ? CellState::PartlyRepeated : CellState::TouchesItself;
+}
+
+/// The worst of the faces of a polyhedron.
+CellState FindRepeatsInFaces(const CellIds& cell, std::vector<vtkIdType>& scratch)
+{
+  CellState found = CellState::Good;
   std::vector<vtkIdType> loop;
-  ForEachFaceLoop(FaceLoops, cell, loop, [&](const vtkIdType* ids, vtkIdType size)
-    { found = found || size < 3 || HasRepeats(ids, size, scratch); });
+  ForEachFaceLoop(FaceLoops, cell, loop,
+    [&](const vtkIdType* ids, vtkIdType size)
+    {
+      const CellState state = FindRepeatsOfRing(ids, size, scratch);
+      found = found == CellState::PartlyRepeated || state == CellState::Good ? found : state;
+    });
   return found;
 }
 
@@ -144,6 +164,7 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
       }
       return CellState::Good;
     case VTK_POLYGON:
+      return FindRepeatsOfRing(ids, cell.Size, scratch);
     case VTK_VOXEL:
     case VTK_HEXAHEDRON:
     case VTK_WEDGE:
@@ -152,7 +173,7 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
     case VTK_HEXAGONAL_PRISM:
       return HasRepeats(ids, cell.Size, scratch) ? CellState::PartlyRepeated : CellState::Good;
     case FaceLoops:
-      return HasRepeatsInFaces(cell, scratch) ? CellState::PartlyRepeated : CellState::Good;
+      return FindRepeatsInFaces(cell, scratch);
     default:
       if (cell.Size > 4 && IsNonLinear(cellType))
       {
@@ -326,8 +347,8 @@ std::string DescribeUnsupported(const Tally& tally, const CellReader& cells)
   return "Passed over " + Subject(tally, cells) +
     " of a type that is not supported. Supported are vertices, lines, poly lines, triangles, "
     "strips, pixels, quads, polygons, tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, "
-    "polyhedra, and quadratic, cubic, Lagrange and Bezier cells. Apply Tetrahedralize "
-    "(vtkDataSetTriangleFilter) first to have others split.";
+    "polyhedra, and quadratic, cubic, Lagrange and Bezier cells. Apply "
+    "vtkDataSetTriangleFilter first to have others split.";
 }
 
 const char* Reason(CellState state)

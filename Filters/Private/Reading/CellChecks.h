@@ -28,12 +28,14 @@ enum class CellState : unsigned char
   NonFinite,
   Repeated,       ///< passed over
   PartlyRepeated, ///< takes part, without its degenerate pieces
+  TouchesItself,  ///< a ring passes a point again, as along the bridge to a hole; nothing is lost
   NumberOfStates
 };
 
 constexpr bool TakesPart(CellState state)
 {
-  return state == CellState::Good || state == CellState::PartlyRepeated;
+  return state == CellState::Good || state == CellState::PartlyRepeated ||
+    state == CellState::TouchesItself;
 }
 
 struct CheckedCells

@@ -190,7 +190,8 @@ SurfaceCells ReadPolygons(vtkPolyData* input)
   {
     cells.Warnings.push_back(std::to_string(crossing) +
       " polygon(s) pass through a point twice, and the filter leaves them out. The first is cell " +
-      std::to_string(first) + ". Split them where they touch themselves.");
+      std::to_string(first) +
+      ". Split them where they touch themselves, or cut them by vtkTriangleFilter first.");
   }
   return cells;
 }

@@ -133,8 +133,8 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   {
     warnings.push_back(std::to_string(solids) + " cell(s) are solids, the first is cell " +
       std::to_string(first) +
-      ": this filter is for surfaces and leaves them out. Extract their surface first "
-      "(vtkDataSetSurfaceFilter, Extract Surface), or use vtkMultiDimensionalSubdivision.");
+      ": this filter is for surfaces and leaves them out. Extract their surface first by "
+      "vtkDataSetSurfaceFilter, or use vtkMultiDimensionalSubdivision.");
   }
   surface->SetVerts(lists.Cells[0]);
   surface->SetLines(lists.Cells[1]);

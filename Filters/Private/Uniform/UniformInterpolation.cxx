@@ -10,6 +10,7 @@
 #include "Private/Reading/SolidOrientation.h"
 
 #include "vtkCellData.h"
+#include "vtkLogger.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -99,14 +100,19 @@ void UniformRun::CheckOrientation()
   {
     kept->IsUpright = found.Count == 0;
   }
-  if (found.Count > 0 && hasMoved)
+  const vtkIdType cells = this->Output->GetNumberOfCells();
+  const std::string text = std::to_string(found.Count) + " of " + std::to_string(cells) +
+    " cells are solids that smoothing turned inside out, the first is cell " +
+    std::to_string(found.First) +
+    ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
+    "GenerateClassification marks these cells (Inverted).";
+  if (found.Count > cells / 100000 && hasMoved)
   {
-    this->Options.Warn(std::to_string(found.Count) + " of " +
-      std::to_string(this->Output->GetNumberOfCells()) +
-      " cells are solids that smoothing turned inside out, the first is cell " +
-      std::to_string(found.First) +
-      ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
-      "GenerateClassification marks these cells (Inverted).");
+    this->Options.Warn(text);
+  }
+  else if (found.Count > 0 && hasMoved) // so few are information: no window opens for it
+  {
+    vtkLogF(INFO, "%s", text.c_str());
   }
 }
 

@@ -110,7 +110,7 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
             : ", which is no vertex, line, triangle or tetrahedron: the filter cuts it, and the "
               "pieces have other parameters. " +
               std::string(dimensions[cell] == 2
-                  ? "Ask EvaluateLimit of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK, which "
+                  ? "Ask EvaluateLimit of vtkSurfaceSubdivision with Scheme = CatmullClark, which "
                     "has places in quads and polygons."
                   : "Use the Subdivision Limit Probe, which takes points.")));
       return false;

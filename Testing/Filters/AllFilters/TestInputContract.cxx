@@ -160,6 +160,13 @@ const std::map<std::string, Case>& GetCases()
     { "id-negative", Add({ { VTK_TRIANGLE, { 0, -1, 2 } } }) },
     { "id-repeated", Add({ { VTK_TETRA, { 0, 1, 2, 2 } } }) },
     { "polygon-repeated", Add({ { VTK_POLYGON, { 0, 1, 4, 4, 2 } } }) },
+    { "polygon-keyhole",
+      [](Trial& trial)
+      {
+        trial.Points = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 }, { 1, 1, 0 },
+          { 2, 1, 0 }, { 2, 2, 0 }, { 1, 2, 0 } };
+        trial.Cells = { { VTK_POLYGON, { 0, 1, 2, 3, 0, 4, 7, 6, 5, 4 } } };
+      } },
     { "hexahedron-collapsed",
       [](Trial& trial)
       {

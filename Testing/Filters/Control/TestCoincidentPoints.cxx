@@ -98,7 +98,7 @@ TEST(CoincidentPoints, AreCountedAndNamedWithWhatHelps)
   EXPECT_TRUE(Has(warnings,
     "3 points where cells end are at the place of another (for instance "
     "points 0 and 4)"));
-  EXPECT_TRUE(Has(warnings, "switch MergePoints on, or apply Clean to Grid"));
+  EXPECT_TRUE(Has(warnings, "switch MergePoints on, or apply vtkStaticCleanUnstructuredGrid"));
   EXPECT_TRUE(TellOf({ Tet, { VTK_TETRA, { 1, 0, 2, 7 } } }).empty());
 }
 

@@ -177,7 +177,7 @@ TEST(CellsToSimplices, UnsupportedTypesAreNamed)
   mesh.Cells = { { VTK_LINE, { 0, 1 } }, { VTK_CONVEX_POINT_SET, Range(10) },
     { VTK_LAGRANGE_PYRAMID, Range(5) }, { VTK_TETRA, { 3, 2, 1, 0 } } };
   ExpectOneWarning(mesh,
-    { "2 cells", "cell 1", "vtkConvexPointSet", "41", "Tetrahedralize", "Bezier" },
+    { "2 cells", "cell 1", "vtkConvexPointSet", "41", "vtkDataSetTriangleFilter", "Bezier" },
     { { 0, 1 }, { 3, 2, 1, 0 } });
   mesh.Cells = { { VTK_LINE, { 0, 1 } }, { 250, { 1 } } };
   ExpectOneWarning(mesh, { "1 cell", "cell 1", "250" }, { { 0, 1 } });

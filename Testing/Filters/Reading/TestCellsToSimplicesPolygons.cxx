@@ -189,3 +189,22 @@ TEST(CellsToSimplices, PolygonWithBridgeToAHole)
                        { 3, 3 }, { 3, 1 }, { 1, 1 } },
     Range(10));
 }
+
+TEST(CellsToSimplices, RingsAlongBridgesAreCutWithoutAWarning)
+{
+  // A square with two square holes, and bridges between them.
+  Mesh mesh;
+  mesh.Points = { { 0, 0, 0 }, { 9, 0, 0 }, { 9, 9, 0 }, { 0, 9, 0 }, { 1, 1, 0 }, { 3, 1, 0 },
+    { 3, 3, 0 }, { 1, 3, 0 }, { 5, 5, 0 }, { 7, 5, 0 }, { 7, 7, 0 }, { 5, 7, 0 } };
+  mesh.Cells = { { VTK_POLYGON, { 0, 1, 2, 3, 0, 4, 7, 6, 8, 11, 10, 9, 8, 6, 5, 4 } } };
+  const auto result = Convert(mesh);
+  EXPECT_TRUE(result.Warnings.empty());
+  double area = 0.;
+  for (const Ids& s : GetSimplices(result))
+  {
+    const double twice = TwiceArea(mesh.Points, s)[2];
+    EXPECT_GT(twice, 0.);
+    area += twice / 2.;
+  }
+  EXPECT_NEAR(area, 81. - 4. - 4., 1e-12);
+}

@@ -367,3 +367,39 @@ TEST(SolidOrientation, BordersOfManyTrianglesHaveNoTangentPlane)
     }
   }
 }
+
+TEST(SolidOrientation, FewOfVeryManyAreNoWarning)
+{
+  for (const vtkIdType lines : { 10, 500000 })
+  {
+    // A tetrahedron around a point near one of its faces, and lines elsewhere.
+    std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+      { .3, .3, .3 } };
+    std::vector<Cell> cells;
+    for (const Ids& ids :
+      std::vector<Ids>{ { 0, 1, 2, 4 }, { 0, 1, 4, 3 }, { 0, 4, 2, 3 }, { 4, 1, 2, 3 } })
+    {
+      cells.push_back({ VTK_TETRA, ids });
+    }
+    for (vtkIdType i = 0; i <= lines; ++i)
+    {
+      points.push_back({ 2. + static_cast<double>(i), 0., 0. });
+      if (i > 0)
+      {
+        cells.push_back({ VTK_LINE, { 4 + i, 5 + i } });
+      }
+    }
+    vtkNew<Messages> messages;
+    const Grid made = Execute(
+      MakeGrid(points, cells), 3, [](Filter* filter) { filter->GenerateClassificationOn(); },
+      messages);
+    auto* marks = made->GetCellData()->GetArray("Inverted");
+    double count = 0.;
+    for (vtkIdType i = 0; i < made->GetNumberOfCells(); ++i)
+    {
+      count += marks->GetComponent(i, 0);
+    }
+    EXPECT_GT(count, 0.);
+    EXPECT_EQ(messages->Inversions.size(), lines < 1000 ? 1u : 0u) << lines << ": " << count;
+  }
+}
