@@ -60,8 +60,9 @@
  *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
- * many of the output's solids have another orientation than the control cell they come from;
- * GenerateClassification marks them. Make the control mesh less flat there, or take fewer levels.
+ * many of the output's solids have another orientation than the control cell they come from (of
+ * fewer than one in 100,000 a line of VTK's log); GenerateClassification marks them. Make the
+ * control mesh less flat there, or take fewer levels.
  *
  * @par Output
  * Points: all input points with their ids (unused ones too), then centres of split cells, then the

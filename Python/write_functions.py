@@ -10,11 +10,17 @@ import options  # noqa: E402
 
 
 MESH = ["mesh: Any", "cells: Any = None", "*", "point_data: Optional[Mapping[str, Any]] = None",
-        "cell_data: Optional[Mapping[str, Any]] = None"]
+        "cell_data: Optional[Mapping[str, Any]] = None", "texture_coordinates: Optional[str] = None",
+        "normals: Optional[str] = None"]
 MESH_HELP = (
-    "mesh: a data set of VTK, also of PyVista, a list of them, or the points as an array. cells: with points, "
-    "rows of point ids, or a dictionary of such arrays by types of cells (Arrays). point_data, cell_data: with "
-    "points, arrays by name. The output is given as the input is: a data set, a list, or Arrays.")
+    "mesh: a data set of VTK, also of PyVista, a list of them, a mesh of meshio, Arrays, or the points as an array. "
+    "cells: with points, rows of point ids, a dictionary of such arrays by types of cells (Arrays), or a list of pairs "
+    "of a type and rows. point_data, cell_data: with points, arrays by name. texture_coordinates, normals: the names of "
+    "arrays of points that are these. The output is given as the input is: a data set, a list, or Arrays.")
+ROWS_HELP = {True: "Rows of four are quads.", False: "Rows of four are tetrahedra; give quads in a dictionary."}
+CREASES_HELP = (
+    "creases: rows of two point ids, whose edges stay sharp, and as a third number of a sharpness, where they are "
+    "sharp in so many levels only. It is a shorter way to crease_geometry.")
 IMAGE = ["mesh: Any", "*", "spacing: Optional[Sequence[float]] = None", "origin: Optional[Sequence[float]] = None"]
 IMAGE_HELP = (
     "mesh: a data set of VTK, also of PyVista, or the labels as an array of NumPy with three axes in the order x, y, "
@@ -76,10 +82,17 @@ def table(one, filters):
     return f"_{name} = {{\n{''.join(lines)}}}\n_{name}_words = {{\n{words}}}\n"
 
 
+def has_creases(one):
+    return any(option.name == "CreaseGeometry" for option in one.options)
+
+
 def documentation(one):
     text = "\n\n".join(options.wrap(part, 112, "    ") for part in [one.short_help] + one.help)
     if one.has_input:
-        text += "\n\n" + options.wrap(IMAGE_HELP if one.takes_image else MESH_HELP, 112, "    ")
+        mesh_help = f"{MESH_HELP} {ROWS_HELP['Surface' in one.cls]}"
+        text += "\n\n" + options.wrap(IMAGE_HELP if one.takes_image else mesh_help, 112, "    ")
+    if has_creases(one):
+        text += "\n\n" + options.wrap(CREASES_HELP, 112, "    ")
     if one.criteria():
         text += "\n\n" + options.wrap(
             "refine: the criteria that are to be used, with their numbers or None, such as "
@@ -95,7 +108,7 @@ def function(one, filters):
     name = snake(one.short_name)
     arguments = ["*"]
     if one.has_input:
-        arguments = list(IMAGE if one.takes_image else MESH)
+        arguments = list(IMAGE if one.takes_image else MESH) + ["creases: Any = None"] * has_creases(one)
     for option in one.options:
         kind, value = value_type(option)
         arguments.append(f"{snake(option.name)}: {kind} = {value}")
@@ -109,6 +122,7 @@ def function(one, filters):
     joined = ",\n        ".join(arguments)
     return f'''{table(one, filters)}
 
+@with_nearest
 def {name}(
         {joined}) -> Any:
     """{documentation(one)}
@@ -132,7 +146,7 @@ from typing import Any, Literal, Mapping, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
 
-from .run import Option, run
+from .run import Option, run, with_nearest
 
 __version__ = {sys.argv[2]!r}
 __all__ = {names!r}

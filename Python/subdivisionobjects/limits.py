@@ -18,11 +18,11 @@ def evaluate_limit(made, cells, parameters) -> Arrays:
     curve is its curvature.
     """
     import numpy as np
-    from vtkmodules.util import numpy_support
-    from vtkmodules.util.vtkConstants import VTK_ID_TYPE
     from . import meshes
-    ids = np.ascontiguousarray(cells, np.int64)
-    given = np.asarray(parameters, float)
+    ids = meshes.to_integers("cells", cells)
+    given = meshes.to_numpy("parameters", parameters)
+    if given.dtype.kind not in "iuf":
+        raise ValueError(f"parameters must be numbers, not {given.dtype}")
     if ids.ndim != 1 or given.ndim != 2 or len(given) != len(ids) or not 1 <= given.shape[1] <= 3:
         raise ValueError("there must be a cell and a row of one to three parameters for each place, not the shapes "
                          f"{ids.shape} and {given.shape}")
@@ -30,6 +30,5 @@ def evaluate_limit(made, cells, parameters) -> Arrays:
     rows[:, :given.shape[1]] = given
     result = vtkPolyData()
     with listen_to(made):
-        made.EvaluateLimit(numpy_support.numpy_to_vtk(ids, deep=1, array_type=VTK_ID_TYPE),
-                           numpy_support.numpy_to_vtk(rows, deep=1), result)
+        made.EvaluateLimit(meshes.to_vtk_ids(ids), meshes.to_vtk_array(rows), result)
     return meshes.to_arrays(result)

@@ -21,7 +21,8 @@ class Rows(NamedTuple):
         """The matrix times an array of a value, or a row of values, for each column: each row is summed in double, in
         the order of its entries, starting with 0."""
         import numpy as np
-        values = np.asarray(values, float)
+        from .values import to_numpy
+        values = to_numpy("values", values).astype(float)
         if len(values) != self.number_of_columns:
             raise ValueError(f"there must be {self.number_of_columns} values, one for each column, not {len(values)}")
         sums = np.zeros((len(self.offsets) - 1,) + values.shape[1:])

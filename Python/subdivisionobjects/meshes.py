@@ -2,33 +2,28 @@
 """From arrays, lists and meshes of PyVista to data sets of VTK, and back."""
 
 import os
-import re
 import sys
+import warnings
 
 import numpy as np
 from vtkmodules.util import numpy_support
-from vtkmodules.util.vtkConstants import VTK_ID_TYPE
-from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_POLYGON, vtkCellArray, vtkCompositeDataSet, vtkDataObject, vtkImageData, vtkMultiBlockDataSet, vtkPolyData,
-    vtkSelection, vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
+    VTK_POLYGON, vtkCompositeDataSet, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
+    vtkPolyData, vtkSelection, vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from .run import Arrays
+from .cells import NAMES, join_blocks, set_cells
+from .run import Arrays, nearest
+from .values import data_arrays, find_forms, to_array, to_ids, to_integers, to_numpy, to_vtk_array, to_vtk_ids
 
-# Type of VTK and number of points.
-CELLS = {"vertex": (1, 1), "line": (3, 2), "triangle": (5, 3), "tetra": (10, 4), "quad": (9, 4),
-         "hexahedron": (12, 8), "wedge": (13, 6), "pyramid": (14, 5),
-         # What output_cells="bezier" makes.
-         "bezier_curve": (75, 4), "bezier_triangle": (76, 15), "bezier_quad": (77, 16), "bezier_tetra": (78, 56)}
-NAMES = {kind: name for name, (kind, _) in CELLS.items()}
-SMALL = {np.dtype(bool): np.uint8, np.dtype(np.float16): np.float32}
-# What the rows of a single array are, by their number of points.
-BY_SIZE = {1: "vertex", 2: "line", 3: "triangle", 4: "tetra", 5: "pyramid", 6: "wedge", 8: "hexahedron"}
+# Field data by which a filter goes on with what an earlier one made, if the cells keep their order.
+STAMP = "Subdivision"
 
 
-def to_vtk(mesh, cells=None, point_data=None, cell_data=None):
-    """A data set of VTK as it is; arrays, a pair (points, cells) or a list of data sets as a data set."""
+def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False):
+    """A data set of VTK as it is; arrays, a pair (points, cells), a mesh of meshio or a list of data sets as a data
+    set. Of surfaces rows of four are quads."""
     if isinstance(mesh, vtkAlgorithm):
         mesh.Update()
         mesh = mesh.GetOutputDataObject(0)
@@ -36,10 +31,12 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None):
         if cells is not None or point_data or cell_data:
             raise TypeError("a data set has cells and arrays of its own")
         return mesh
-    if isinstance(mesh, Arrays):
-        return from_arrays(*mesh, mesh.point_data, mesh.cell_data)
+    if has_arrays(mesh):
+        if cells is not None:
+            raise TypeError("the mesh has cells of its own")
+        return from_mesh(mesh, point_data, cell_data, of_surfaces)
     if cells is None and isinstance(mesh, tuple) and len(mesh) == 2:
-        return from_arrays(*mesh, point_data, cell_data)
+        return from_arrays(*mesh, point_data, cell_data, of_surfaces)
     if is_list_of_data_sets(mesh):
         blocks = vtkMultiBlockDataSet()
         for index, one in enumerate(mesh):
@@ -48,11 +45,69 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None):
     if isinstance(mesh, (str, os.PathLike)):
         raise TypeError(f"{str(mesh)!r} is the name of a file: read it first, by a reader of vtkmodules.vtkIOXML for "
                         "instance, or take the program subdivide")
-    return from_arrays(mesh, cells, point_data, cell_data)
+    return from_arrays(mesh, cells, point_data, cell_data, of_surfaces)
+
+
+def has_arrays(mesh):
+    """Whether it has points, cells and arrays, as Arrays and a mesh of meshio."""
+    return all(hasattr(mesh, name) for name in ("points", "cells", "point_data", "cell_data"))
+
+
+def from_mesh(mesh, point_data, cell_data, of_surfaces):
+    lost = [name for name in ("point_sets", "cell_sets") if getattr(mesh, name, None)]
+    if lost:
+        warnings.warn(f"{' and '.join(lost)} of the mesh are left out: give them as masks in point_data or cell_data",
+                      stacklevel=6)
+    is_ours = isinstance(mesh, Arrays)
+    made = from_arrays(mesh.points, mesh.cells, {**mesh.point_data, **(point_data or {})},
+                       {**mesh.cell_data, **(cell_data or {})}, of_surfaces and not is_ours)
+    for name, values in mesh.field_data.items() if is_ours else ():
+        made.GetFieldData().AddArray(to_array(name, values, len(values), "values"))
+    for attribute, name in mesh.attributes.items() if is_ours else ():
+        if name in mesh.point_data:
+            set_attribute(made, attribute, name)
+    return made
 
 
 def is_list_of_data_sets(mesh):
     return isinstance(mesh, list) and bool(mesh) and all(isinstance(one, vtkDataObject) for one in mesh)
+
+
+# Arguments that name the array of points which is an attribute of VTK.
+ATTRIBUTES = {"texture_coordinates": vtkDataSetAttributes.TCOORDS, "normals": vtkDataSetAttributes.NORMALS}
+
+
+def set_attribute(mesh, attribute, name):
+    """Makes an array of points the attribute."""
+    if not hasattr(mesh, "GetPointData"):
+        raise ValueError(f"{attribute} is for a mesh that is no list of blocks")
+    data = mesh.GetPointData()
+    if not isinstance(name, str) or not data.HasArray(name):
+        names = [data.GetArrayName(i) or "" for i in range(data.GetNumberOfArrays())]
+        raise ValueError(f"{attribute} is the name of an array of point_data, not {name!r}{nearest(name, names)}")
+    components = data.GetAbstractArray(name).GetNumberOfComponents()
+    if components not in ((1, 2, 3) if attribute == "texture_coordinates" else (3,)):
+        raise ValueError(f"the array {name!r} cannot be {attribute}: it has {components} components")
+    data.SetActiveAttribute(name, ATTRIBUTES[attribute])
+
+
+def with_attributes(mesh, names):
+    """The mesh with arrays of points as attributes, by the names of arguments; not the mesh of the caller."""
+    names = {attribute: name for attribute, name in names.items() if name is not None}
+    if not names:
+        return mesh
+    made = mesh.NewInstance()
+    made.ShallowCopy(mesh)
+    for attribute, name in names.items():
+        set_attribute(made, attribute, name)
+    return made
+
+
+def find_forms_of(mesh, point_data, cell_data):
+    """The forms of the arrays of points and of cells that were given."""
+    ours = [getattr(mesh, name) if has_arrays(mesh) and not isinstance(mesh, vtkDataObject) else {}
+            for name in ("point_data", "cell_data")]
+    return [find_forms({**own, **(given or {})}) for own, given in zip(ours, (point_data, cell_data))]
 
 
 def to_image(labels, spacing=None, origin=None):
@@ -61,7 +116,7 @@ def to_image(labels, spacing=None, origin=None):
         if spacing is not None or origin is not None:
             raise TypeError("a data set has a spacing and an origin of its own")
         return to_vtk(labels)
-    labels = np.asarray(labels)
+    labels = to_numpy("labels", labels)
     if labels.ndim != 3 or 0 in labels.shape or labels.dtype.kind not in "buif":
         raise ValueError("labels must be numbers in an array [x, y, z], not the shape "
                          f"{labels.shape} of {labels.dtype}")
@@ -74,7 +129,7 @@ def to_image(labels, spacing=None, origin=None):
 
 
 def three_numbers(name, values, default):
-    values = np.asarray(default if values is None else values)
+    values = to_numpy(name, default if values is None else values)
     if values.shape != (3,) or values.dtype.kind not in "buif" or not np.isfinite(values).all():
         raise ValueError(f"{name} takes 3 finite numbers, along x, y and z, not {values.tolist()!r}")
     if name == "spacing" and values.min() <= 0:
@@ -82,93 +137,47 @@ def three_numbers(name, values, default):
     return values.tolist()
 
 
-def from_arrays(points, cells, point_data=None, cell_data=None):
-    points = np.asarray(points)
-    if points.ndim != 2 or points.shape[1] not in (2, 3):
-        raise ValueError(f"points must have 2 or 3 columns, not the shape {points.shape}")
+def from_arrays(points, cells, point_data=None, cell_data=None, of_surfaces=False):
+    points = to_numpy("points", points)
+    if points.ndim != 2 or points.shape[1] not in (2, 3) or points.dtype.kind not in "buif":
+        raise ValueError(f"points must be numbers in 2 or 3 columns, not the shape {points.shape} of {points.dtype}")
     if points.dtype != np.float32:
         points = points.astype(np.float64)
     if points.shape[1] == 2:
         points = np.column_stack([points, np.zeros(len(points), points.dtype)])
     coordinates = vtkPoints()
-    coordinates.SetData(numpy_support.numpy_to_vtk(np.ascontiguousarray(points), deep=1))
+    coordinates.SetData(to_vtk_array(points))
+    blocks = []
     if cells is None:
         mesh = vtkPolyData()
         mesh.SetPoints(coordinates)
     else:
         mesh = vtkUnstructuredGrid()
         mesh.SetPoints(coordinates)
-        set_cells(mesh, cells, len(points))
-    for what, count, target in ((point_data, len(points), mesh.GetPointData()),
-                                (cell_data, mesh.GetNumberOfCells(), mesh.GetCellData())):
-        for name, values in (what or {}).items():
-            target.AddArray(to_array(name, values, count))
+        blocks = set_cells(mesh, cells, len(points), of_surfaces)
+    for what, given, target, count in (("point", point_data, mesh.GetPointData(), len(points)),
+                                       ("cell", cell_data, mesh.GetCellData(), mesh.GetNumberOfCells())):
+        if given is not None and not hasattr(given, "items"):
+            raise ValueError(f"{what}_data is a dictionary of arrays by name, not {type(given).__name__}")
+        for name, values in (given or {}).items():
+            values = join_blocks(name, values, blocks) if what == "cell" else values
+            target.AddArray(to_array(name, values, count, what + "s"))
     return mesh
 
 
-def set_cells(grid, cells, number_of_points):
-    if not hasattr(cells, "items"):
-        try:
-            rows = np.asarray(cells)
-            found = f"the shape {rows.shape}"
-        except ValueError:  # of NumPy, whose text is about arrays
-            rows, found = np.empty(0), "rows of several sizes"
-        if rows.ndim != 2 or rows.shape[1] not in BY_SIZE:
-            raise ValueError(f"cells must have a row of 1 to 6 or 8 point ids each, not {found}; for other or several "
-                             "types give a dictionary such as {'quad': rows, 'line': rows}")
-        cells = {BY_SIZE[rows.shape[1]]: rows}
-    types, sizes, ids = [], [], []
-    for name, rows in cells.items():
-        kind, size = kind_and_size(name)
-        rows = np.asarray(rows)
-        if rows.ndim != 2 or rows.shape[1] != size or not np.issubdtype(rows.dtype, np.integer):
-            raise ValueError(f"{name} must have rows of {size} integers, not the shape {rows.shape} of {rows.dtype}")
-        wrong = np.flatnonzero(((rows < 0) | (rows >= number_of_points)).any(axis=1))
-        if len(wrong):
-            raise ValueError(f"{name} {wrong[0]} has point ids {rows[wrong[0]].tolist()}, but there are "
-                             f"{number_of_points} points")
-        types.append(np.full(len(rows), kind, np.uint8))
-        sizes.append(np.full(len(rows), size))
-        ids.append(rows.ravel())
-    if not types:
-        raise ValueError("there are no cells")
-    made = vtkCellArray()
-    offsets = np.concatenate([[0], np.cumsum(np.concatenate(sizes))]).astype(np.int64)
-    made.SetData(*(numpy_support.numpy_to_vtk(part, deep=1, array_type=VTK_ID_TYPE)
-                   for part in (offsets, np.concatenate(ids).astype(np.int64))))
-    grid.SetCells(numpy_support.numpy_to_vtk(np.concatenate(types), deep=1), made)
+def to_selection(value, mesh=None):
+    """{"points": ids} or {"cells": ids} as a selection; a mask of truth values chooses those of the mesh."""
+    def add(selection, kind, ids):
+        if kind not in ("points", "cells"):
+            raise ValueError(f"a selection has points or cells, not {kind!r}")
+        count = getattr(mesh, f"GetNumberOf{kind.capitalize()}", None) if hasattr(mesh, "GetPointData") else None
+        node = vtkSelectionNode()
+        node.SetContentType(vtkSelectionNode.INDICES)
+        node.SetFieldType(vtkSelectionNode.POINT if kind == "points" else vtkSelectionNode.CELL)
+        node.SetSelectionList(to_vtk_ids(to_ids(f"the selection of {kind}", ids, count and count(), kind)))
+        selection.AddNode(node)
 
-
-def kind_and_size(name):
-    """Of cells by their name: polygon5 has 5 points."""
-    if name in CELLS:
-        return CELLS[name]
-    polygon = re.fullmatch("polygon([0-9]+)", str(name))
-    if not polygon or int(polygon[1]) < 3:
-        raise ValueError(f"there are no cells {name!r}: they are {', '.join(CELLS)}, and polygonN with N points each, "
-                         "such as polygon5")
-    return VTK_POLYGON, int(polygon[1])
-
-
-def to_array(name, values, count):
-    values = np.asarray(values)
-    if len(values) != count:
-        raise ValueError(f"the array {name!r} has {len(values)} values, but there are {count} points or cells")
-    if values.dtype in SMALL:  # which VTK does not have
-        values = values.astype(SMALL[values.dtype])
-    if values.dtype.kind in "UO":
-        made = vtkStringArray()
-        for value in values:
-            made.InsertNextValue(str(value))
-    else:
-        made = numpy_support.numpy_to_vtk(np.ascontiguousarray(values), deep=1)
-    made.SetName(name)
-    return made
-
-
-def to_selection(value):
-    """{"points": ids} or {"cells": ids} as a selection."""
-    return from_dictionary(value, vtkSelection, add_ids, "a selection such as {'cells': [0, 1]}")
+    return from_dictionary(value, vtkSelection, add, "a selection such as {'cells': [0, 1]}")
 
 
 def to_table(value):
@@ -188,22 +197,43 @@ def from_dictionary(value, cls, add, what):
     return made
 
 
-def add_ids(selection, kind, ids):
-    if kind not in ("points", "cells"):
-        raise ValueError(f"a selection has points or cells, not {kind!r}")
-    node = vtkSelectionNode()
-    node.SetContentType(vtkSelectionNode.INDICES)
-    node.SetFieldType(vtkSelectionNode.POINT if kind == "points" else vtkSelectionNode.CELL)
-    node.SetSelectionList(numpy_support.numpy_to_vtk(np.asarray(ids, dtype="int64"), deep=1, array_type=VTK_ID_TYPE))
-    selection.AddNode(node)
-
-
 def add_column(table, name, values):
-    table.AddColumn(to_array(name, values, len(values)))
+    count = table.GetNumberOfRows() if table.GetNumberOfColumns() else len(np.atleast_1d(values))
+    table.AddColumn(to_array(name, values, count, "rows"))
 
 
-def like(mesh, output):
-    """The output of a filter in the way in which its input was given."""
+def to_creases(value, mesh):
+    """Rows of two point ids, and of a sharpness where there is a third column, as lines on the points of the mesh. Also
+    a pair of such rows and their sharpness, or a dictionary from pairs to sharpness."""
+    if hasattr(value, "items"):
+        value = [(*pair, sharpness) for pair, sharpness in value.items()]
+    elif isinstance(value, tuple) and len(value) == 2 and np.ndim(value[0]) == 2:
+        value = np.column_stack([value[0], np.broadcast_to(value[1], len(value[0]))])
+    if not hasattr(mesh, "GetPoints"):
+        raise ValueError("creases are for a mesh with points, which is no list of blocks: give crease_geometry")
+    rows = to_numpy("creases", value)
+    if rows.ndim != 2 or rows.shape[1] not in (2, 3) or rows.dtype.kind not in "iuf":
+        raise ValueError("creases must be rows of two point ids, and of a sharpness as a third number where creases are "
+                         f"not to stay sharp for ever, not the shape {rows.shape} of {rows.dtype}")
+    pairs = rows[:, :2].astype(np.int64)
+    if (pairs != rows[:, :2]).any():
+        raise ValueError("the point ids of creases must be whole numbers")
+    to_ids("creases", pairs, mesh.GetNumberOfPoints(), "points")
+    if rows.shape[1] == 3 and not (rows[:, 2] >= 0).all():
+        raise ValueError("the sharpness of creases must be 0 or more")
+    made = vtkUnstructuredGrid()
+    made.SetPoints(mesh.GetPoints())
+    set_cells(made, {"line": pairs}, mesh.GetNumberOfPoints())
+    if rows.shape[1] == 3:
+        made.GetCellData().AddArray(to_array("Sharpness", rows[:, 2].astype(float), len(rows)))
+    ids = mesh.GetPointData().GetGlobalIds()
+    if ids:
+        made.GetPointData().SetGlobalIds(ids)
+    return made
+
+
+def like(mesh, output, point_forms=None, cell_forms=None):
+    """The output of a filter in the way in which its input was given, and arrays in the forms of those there."""
     if isinstance(mesh, vtkDataObject):
         if any(base.__module__.split(".")[0] == "pyvista" for base in type(mesh).__mro__):
             return sys.modules["pyvista"].wrap(output)
@@ -212,10 +242,10 @@ def like(mesh, output):
         return output
     if isinstance(output, vtkCompositeDataSet):
         return [output.GetBlock(i) for i in range(output.GetNumberOfBlocks())]
-    return to_arrays(output)
+    return to_arrays(output, point_forms, cell_forms)
 
 
-def to_arrays(mesh):
+def to_arrays(mesh, point_forms=None, cell_forms=None):
     groups = {}
     first = 0
     for kinds, cells in cell_arrays(mesh):
@@ -236,8 +266,13 @@ def to_arrays(mesh):
         cells = next(iter(cells.values()))
     points = mesh.GetPoints()
     points = numpy_support.vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))
-    return Arrays(points, cells, data_arrays(mesh.GetPointData()),
-                  {name: values[order] for name, values in data_arrays(mesh.GetCellData()).items()})
+    fields = data_arrays(mesh.GetFieldData())
+    if (order != np.arange(len(order))).any():
+        fields = {name: values for name, values in fields.items() if not (name or "").startswith(STAMP)}
+    active = {attribute: mesh.GetPointData().GetAbstractAttribute(kind) for attribute, kind in ATTRIBUTES.items()}
+    return Arrays(points, cells, data_arrays(mesh.GetPointData(), point_forms),
+                  {name: values[order] for name, values in data_arrays(mesh.GetCellData(), cell_forms).items()},
+                  fields, {attribute: array.GetName() for attribute, array in active.items() if array})
 
 
 def cell_arrays(mesh):
@@ -250,9 +285,3 @@ def cell_arrays(mesh):
     elif mesh.GetNumberOfCells():
         types = mesh.GetCellTypesArray() if hasattr(mesh, "GetCellTypesArray") else mesh.GetCellTypes()
         yield numpy_support.vtk_to_numpy(types), mesh.GetCells()
-
-
-def data_arrays(data):
-    """The arrays of numbers, by name."""
-    arrays = (data.GetArray(i) for i in range(data.GetNumberOfArrays()))
-    return {array.GetName(): numpy_support.vtk_to_numpy(array) for array in arrays if array}

@@ -2,6 +2,9 @@
 """What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
 
 import contextlib
+import difflib
+import functools
+import inspect
 import math
 import numbers
 import operator
@@ -21,25 +24,32 @@ class Arrays(tuple):
     `points` has three columns. `cells` has a row of point ids for each cell if all are vertices, lines, triangles or
     tetrahedra. Else it is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron",
     "wedge", "pyramid", and "polygonN" for polygons of N points, so that no quad is taken for a tetrahedron.
-    `point_data` and `cell_data` are dictionaries of arrays; the cells follow each other as in `cells`.
+    `point_data` and `cell_data` are dictionaries of arrays, of numbers and of texts; the cells follow each other as in
+    `cells`. `field_data` has arrays of any lengths, of the mesh as a whole. `attributes` has the names of the arrays of
+    points that are "texture_coordinates" and "normals", if there are any.
     """
 
-    def __new__(cls, points, cells, point_data, cell_data):
+    def __new__(cls, points, cells, point_data, cell_data, field_data=None, attributes=None):
         made = super().__new__(cls, (points, cells))
         made.points, made.cells, made.point_data, made.cell_data = points, cells, point_data, cell_data
+        made.field_data, made.attributes = field_data or {}, attributes or {}
         return made
 
     def __getnewargs__(self):
         """For copy and pickle: what __new__ takes."""
-        return self.points, self.cells, self.point_data, self.cell_data
+        return self.points, self.cells, self.point_data, self.cell_data, self.field_data, self.attributes
 
 
 def is_number(value):
-    return isinstance(value, numbers.Real) and not math.isnan(value)
+    return isinstance(value, numbers.Real) and not isinstance(value, bool) and not math.isnan(value)
+
+
+def to_index(value):
+    return None if isinstance(value, bool) else operator.index(value)
 
 
 # What a number of these kinds is, and what makes one of the value of an option.
-NUMBERS = {"int": ("whole number", operator.index), "id": ("whole number", operator.index),
+NUMBERS = {"int": ("whole number", to_index), "id": ("whole number", to_index),
            "double": ("number", lambda value: float(value) if is_number(value) else None)}
 
 
@@ -58,8 +68,12 @@ class Option:
     def apply(self, made, name, value):
         if self.kind in ("mesh", "selection", "table"):
             from . import meshes  # which needs NumPy
-            convert = {"mesh": meshes.to_vtk, "selection": meshes.to_selection, "table": meshes.to_table}[self.kind]
-            made.SetInputDataObject(self.port, convert(value))
+            try:
+                made.SetInputDataObject(self.port, meshes.to_selection(value, made.GetInputDataObject(0, 0))
+                                        if self.kind == "selection" else
+                                        {"mesh": meshes.to_vtk, "table": meshes.to_table}[self.kind](value))
+            except ValueError as error:
+                raise ValueError(f"{name}: {error}") from None
             return
         value = without_numpy(value)
         if self.kind in ("set", "strings"):
@@ -115,9 +129,10 @@ class Option:
 
     def entry(self, name, value):
         for text, number in self.entries.items():
-            if value == number or plain(value) == plain(text):
+            if (value == number and not isinstance(value, bool)) or plain(value) == plain(text):
                 return number
-        raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}")
+        raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}"
+                         f"{nearest(value, self.entries)}")
 
 
 def without_numpy(value):
@@ -125,6 +140,27 @@ def without_numpy(value):
     if isinstance(value, (tuple, list)):
         return [without_numpy(one) for one in value]
     return value.tolist() if hasattr(value, "tolist") else value
+
+
+def nearest(name, names):
+    """"; did you mean X?", with the name that is the most alike; empty if none is."""
+    known = {plain(one): one for one in names}
+    found = difflib.get_close_matches(plain(name), known, 1)
+    return f"; did you mean {known[found[0]]}?" if found else ""
+
+
+def with_nearest(function):
+    """The function, with an error for an argument that does not exist which tells the nearest."""
+    names = list(inspect.signature(function).parameters)
+
+    @functools.wraps(function)
+    def call(*args, **given):
+        for name in given:
+            if name not in names:
+                raise TypeError(f"{function.__name__}() has no argument {name!r}{nearest(name, names)}")
+        return function(*args, **given)
+
+    return call
 
 
 def plain(text):
@@ -152,7 +188,8 @@ def choose_criteria(criteria, refine, values):
                          f"{refine!r}; the criteria are {', '.join(criteria)}")
     for name, number in ({refine: None} if isinstance(refine, str) else refine).items():
         if name not in criteria:
-            raise ValueError(f"there is no criterion {name!r}: they are {', '.join(criteria)}")
+            raise ValueError(f"there is no criterion {name!r}: they are {', '.join(criteria)}"
+                             f"{nearest(name, criteria)}")
         switch, option = criteria[name]
         values[switch] = True
         if number is not None:
@@ -167,6 +204,8 @@ def run(cls, options, aliases, criteria, values, words):
     made = getattr(vtkSubdivisionObjects, cls)()
     mesh = values.pop("mesh", None)
     data = [values.pop(key, None) for key in ("cells", "point_data", "cell_data")]
+    attributes = {key: values.pop(key, None) for key in meshes.ATTRIBUTES}
+    creases = values.pop("creases", None)
     for short, name in aliases.items():
         value = values.pop(short)
         values[name] = values[name] if value is None else value
@@ -176,14 +215,40 @@ def run(cls, options, aliases, criteria, values, words):
     if "spacing" in values:
         made.SetInputDataObject(0, meshes.to_image(mesh, values.pop("spacing"), values.pop("origin")))
     elif mesh is not None:
-        made.SetInputDataObject(0, meshes.to_vtk(mesh, *data))
+        given = meshes.to_vtk(mesh, *data, of_surfaces="Surface" in cls)
+        made.SetInputDataObject(0, meshes.with_attributes(given, attributes))
     # Arrays belong to inputs, which come first.
     for name in sorted(values, key=lambda name: options[name].kind == "array"):
         if values[name] is not None:
             options[name].apply(made, name, values[name])
-    with listen_to(made, words):
+    if creases is not None:
+        set_creases(made, options, values, creases)
+    with listen_to(made, words) as told:
         made.Update()
-    return meshes.like(mesh, made.GetOutputDataObject(0))
+    output = made.GetOutputDataObject(0)
+    # With these options nothing may come out of a mesh that is right.
+    chosen = without_numpy(values.get("output_dimensions", ()))
+    is_part = values.get("failing_only") or values.get("special_only") or values.get("places") is not None or (
+        chosen is not None and (not isinstance(chosen, list) or
+                                0 < len(chosen) < len(options["output_dimensions"].entries)))
+    if told["WarningEvent"] and not is_part and is_empty(output) and not is_empty(made.GetInputDataObject(0, 0)):
+        raise RuntimeError("nothing is left of the input: " + "\n".join(told["WarningEvent"]))
+    return meshes.like(mesh, output, *meshes.find_forms_of(mesh, *data[1:]))
+
+
+def set_creases(made, options, values, creases):
+    from . import meshes
+    if values.get("crease_geometry") is not None:
+        raise ValueError("give creases or crease_geometry, not both")
+    options["crease_points"].apply(made, "crease_points", "Same Id")
+    lines = meshes.to_creases(creases, made.GetInputDataObject(0, 0))
+    made.SetInputDataObject(options["crease_geometry"].port, lines)
+
+
+def is_empty(data):
+    """Whether it has no cells."""
+    blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if hasattr(data, "GetNumberOfBlocks") else [data]
+    return not any(one and one.GetNumberOfCells() for one in blocks)
 
 
 def replace(words, text):
@@ -208,11 +273,11 @@ def listen_to(made, words=None):
 
     observers = [(source, source.AddObserver(event, listen)) for source in (made, made.GetExecutive()) for event in told]
     try:
-        yield
+        yield told
     finally:
         for source, observer in observers:
             source.RemoveObserver(observer)
     for message in told["WarningEvent"]:
-        warnings.warn(message, stacklevel=5)
+        warnings.warn(message, stacklevel=5 + (words is not None))
     if told["ErrorEvent"]:
         raise RuntimeError("\n".join(told["ErrorEvent"]))

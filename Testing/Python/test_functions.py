@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The functions of the package, in pvpython."""
 
+from array_tools import Cells, Chosen, Results, Values  # noqa: F401
 from function_tools import Limits, Matrices, Meshes, Options, Package, PyVista  # noqa: F401
 
 import tools
