@@ -2,7 +2,7 @@
 #include "vtkMarkedSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/Impulse.h"
@@ -114,7 +114,7 @@ void vtkMarkedSubdivisionAlgorithm::PrepareRun(vtkDataObject* input)
   this->Geometry = this->GetNumberOfInputConnections(2) > 0
     ? subdivision::GatherMesh(this->GetInputDataObject(2, 0),
         this->SharesRanks() ? this->Controller.Get() : nullptr, [this](const std::string& message)
-        { subdivision::TellWarning(this, "Crease geometry: " + message); })
+        { subdivision::Warn(this, "Crease geometry: " + message); })
     : nullptr;
 }
 
@@ -132,11 +132,11 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::Mark(
     [&](const std::string& message)
     {
       isUsable = false;
-      subdivision::TellWarning(this, "The selection of marks cannot be used. " + message);
+      subdivision::Warn(this, "The selection of marks cannot be used. " + message);
     });
   if (selected.empty() && isUsable && this->HasWholeInput)
   {
-    subdivision::TellWarning(this,
+    subdivision::Warn(this,
       "The selection (input port 1) has no point or cell of the input, so nothing is "
       "marked by it.");
   }
@@ -168,7 +168,7 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::AddBasis(
   const auto made = subdivision::AddImpulse(readable, point, found);
   if (!found && !this->SharesRanks())
   {
-    subdivision::TellWarning(this,
+    subdivision::Warn(this,
       "BasisPoint is " + std::to_string(point) +
         ", but the input has no such point: BasisFunction is 0 everywhere. Take the global id of a "
         "point or, in a data set without global ids and blocks, its index.");

@@ -2,7 +2,7 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Reading/InputArrays.h"
@@ -74,15 +74,14 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
   return subdivision::MakeBezierCells(part,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
       this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { subdivision::TellError(this, text); } });
+      [this](const std::string& text) { subdivision::Fail(this, text); } });
 }
 
 bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
 {
   if (this->KeepCellTypes)
   {
-    subdivision::TellError(
-      this, "With KeepCellTypes there is no operator to hand out: switch it off.");
+    subdivision::Fail(this, "With KeepCellTypes there is no operator to hand out: switch it off.");
     return false;
   }
   return this->FindOperator(result);
@@ -94,12 +93,12 @@ bool vtkMultiDimensionalSubdivision::EvaluateLimit(
   const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
   if (!error.empty())
   {
-    subdivision::TellError(this, error);
+    subdivision::Fail(this, error);
     return false;
   }
   if (this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    subdivision::TellError(
+    subdivision::Fail(
       this, "Places have no values that jump: switch InterfaceValues to Continuous.");
     return false;
   }
@@ -142,31 +141,28 @@ int vtkMultiDimensionalSubdivision::RequestData(
   options.KeepCellTypes = this->KeepCellTypes && this->VolumeScheme == LINEAR;
   if (this->KeepCellTypes && !options.KeepCellTypes)
   {
-    subdivision::TellWarning(this, "KeepCellTypes needs VolumeScheme = Linear: it is ignored.");
+    subdivision::Warn(this, "KeepCellTypes needs VolumeScheme = Linear: it is ignored.");
   }
   if (options.KeepCellTypes &&
     (this->GenerateClassification || this->GenerateLimitNormals || this->GenerateTangents))
   {
-    subdivision::TellWarning(this,
+    subdivision::Warn(this,
       "With KeepCellTypes there are no rules and normals: GenerateClassification, "
       "GenerateLimitNormals and GenerateTangents are ignored.");
   }
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
-    subdivision::TellWarning(this,
-      "Bezier cells need VolumeScheme = BoxSpline or Linear, and no KeepCellTypes: "
-      "the cells stay linear.");
+    subdivision::Warn(this,
+      "Bezier cells need VolumeScheme = BoxSpline or Linear, no KeepCellTypes: they stay linear.");
   }
   if (writesBezierCells && this->GenerateGlobalIds)
   {
-    subdivision::TellWarning(
-      this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+    subdivision::Warn(this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
   if (writesBezierCells && this->GenerateErrorBounds)
   {
-    subdivision::TellWarning(
-      this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+    subdivision::Warn(this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
   }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 
@@ -30,9 +30,8 @@ int vtkRedGreenRefinement::RequestData(
   options.GenerateLimitNormals = this->GenerateLimitNormals && options.LimitPlacement;
   if (this->GenerateLimitNormals && !options.LimitPlacement)
   {
-    subdivision::TellWarning(this,
-      "GenerateLimitNormals makes no normals with Placement = Linear: set Placement "
-      "to Limit.");
+    subdivision::Warn(this,
+      "GenerateLimitNormals makes no normals with Placement = Linear: set Placement to Limit.");
   }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)

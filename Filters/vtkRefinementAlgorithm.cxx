@@ -2,7 +2,7 @@
 #include "vtkRefinementAlgorithm.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Criteria/RefinementInput.h"
 #include "Private/Reading/SelectedParts.h"
@@ -74,16 +74,16 @@ void vtkRefinementAlgorithm::Inspect(vtkDataObject* input, vtkDataObject* readab
   vtkDataObject* selection =
     this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
   bool isUsable = true;
-  this->SelectedCells = subdivision::FindSelectedCells(input, readable,
-    vtkSelection::SafeDownCast(selection),
-    [&](const std::string& message)
-    {
-      isUsable = false;
-      subdivision::TellWarning(this, "RefineBySelection: the selection cannot be used. " + message);
-    });
+  this->SelectedCells =
+    subdivision::FindSelectedCells(input, readable, vtkSelection::SafeDownCast(selection),
+      [&](const std::string& message)
+      {
+        isUsable = false;
+        subdivision::Warn(this, "RefineBySelection: the selection cannot be used. " + message);
+      });
   if (this->SelectedCells.empty() && isUsable)
   {
-    subdivision::TellWarning(this,
+    subdivision::Warn(this,
       "RefineBySelection: no cell is selected, so nothing is refined for that. "
       "Connect a selection (input port 1) of cells or points of the input.");
   }

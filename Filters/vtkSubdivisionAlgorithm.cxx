@@ -6,8 +6,8 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/MatrixArrays.h"
 #include "Private/Control/CoincidentPoints.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/MaterialFields.h"
-#include "Private/Control/MessageWords.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
@@ -273,7 +273,7 @@ bool vtkSubdivisionAlgorithm::RunAside()
   auto* input = source ? vtkDataSet::SafeDownCast(source->GetOutputDataObject(port)) : nullptr;
   if (!input || this->SharesRanks())
   {
-    subdivision::TellError(this,
+    subdivision::Fail(this,
       "This is for one mesh in this process: the input is missing, consists of blocks, "
       "or is shared by several ranks.");
     return false;
@@ -292,7 +292,7 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   if (this->InterpolatePoints || this->InterpolateArrays ||
     this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    subdivision::TellError(this,
+    subdivision::Fail(this,
       "InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
       "no operator of few entries: switch them off.");
     return false;
@@ -304,7 +304,7 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   if (input && found->GetNumberOfFactors() > 0 &&
     found->GetNumberOfColumns() != input->GetNumberOfPoints())
   {
-    subdivision::TellError(this,
+    subdivision::Fail(this,
       "Cells of higher order got points that the input does not have: the operator is "
       "not one of its points. Cut the cells by another filter first.");
     *found->Factors = subdivision::MatrixFactors();

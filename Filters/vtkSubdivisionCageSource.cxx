@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Control/FilterRun.h"
-#include "Private/Control/MessageWords.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -238,7 +237,7 @@ int vtkSubdivisionCageSource::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   if (input && !this->FindBounds(input, bounds))
   {
-    subdivision::TellError(this,
+    subdivision::Fail(this,
       "The input has no points, so there is nothing to put a cage around. Disconnect it "
       "to have a cage in its Bounds.");
     return 1; // 0 would make the pipeline tell a second error
@@ -259,7 +258,7 @@ int vtkSubdivisionCageSource::RequestData(
     type == VTK_FLOAT ? std::numeric_limits<float>::max() : std::numeric_limits<double>::max());
   if (!fault.empty())
   {
-    subdivision::TellError(this, fault);
+    subdivision::Fail(this, fault);
     return 1;
   }
   vtkInformation* info = outputVector->GetInformationObject(0);

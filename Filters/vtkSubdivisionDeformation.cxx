@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Deformation/Deformation.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
@@ -198,7 +198,7 @@ int vtkSubdivisionDeformation::RequestData(
   {
     if (this->GetNumberOfInputConnections(port) == 0)
     {
-      subdivision::TellError(this,
+      subdivision::Fail(this,
         std::string(port == 1 ? "RestMesh (input port 1)" : "DeformedMesh (input port 2)") +
           " is missing; the output is the input. RestMesh is a mesh of solid cells around the "
           "input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the same with its "
@@ -207,7 +207,7 @@ int vtkSubdivisionDeformation::RequestData(
       return 1;
     }
   }
-  auto warn = [this](const std::string& message) { subdivision::TellWarning(this, message); };
+  auto warn = [this](const std::string& message) { subdivision::Warn(this, message); };
   std::vector<std::string> warnings;
   vtkSmartPointer<vtkPointSet> rest;
   vtkSmartPointer<vtkPointSet> deformed;

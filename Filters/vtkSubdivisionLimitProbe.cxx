@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionLimitProbe.h"
 
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceSubdivision.h"
@@ -71,18 +71,17 @@ int vtkSubdivisionLimitProbe::RequestData(
   if (vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputVector[0])) ||
     this->SharesRanks())
   {
-    subdivision::TellError(this,
-      "The control mesh consists of blocks, or is shared by several ranks. Merge it "
-      "to one data set first.");
+    subdivision::Fail(this,
+      "The control mesh consists of blocks, or is shared by several ranks. Merge it to one data "
+      "set first.");
     return 0;
   }
   subdivision::PlaceRequest request;
   request.Targets = vtkDataSet::GetData(inputVector[PlacesPort]);
   if (!request.Targets)
   {
-    subdivision::TellError(this,
-      "Places (input port 3) are missing: a data set with the points for which the "
-      "nearest places are wanted.");
+    subdivision::Fail(this,
+      "Places (input port 3) are missing: the points for which the nearest places are wanted.");
     return 0;
   }
   const std::string memory =

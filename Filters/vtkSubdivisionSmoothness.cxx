@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionSmoothness.h"
 
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Smoothness/SmoothnessProbe.h"
 #include "Private/Surface/SurfaceInput.h"
 
@@ -38,9 +38,9 @@ int vtkSubdivisionSmoothness::RequestData(
   if (vtkCompositeDataSet::SafeDownCast(vtkDataObject::GetData(inputVector[0])) ||
     this->SharesRanks())
   {
-    subdivision::TellError(this,
-      "The mesh consists of blocks, or is shared by several ranks. Merge it to one "
-      "data set first.");
+    subdivision::Fail(this,
+      "The mesh consists of blocks, or is shared by several ranks. Merge it to one data set "
+      "first.");
     return 0;
   }
   subdivision::SmoothnessOptions options;

@@ -2,7 +2,7 @@
 #include "vtkSurfaceSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
-#include "Private/Control/MessageWords.h"
+#include "Private/Control/FilterRun.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceBounds.h"
@@ -47,17 +47,17 @@ bool vtkSurfaceSubdivision::EvaluateLimit(
   const std::string error = subdivision::CheckPlaceArrays(cells, parameters);
   if (!error.empty())
   {
-    subdivision::TellError(this, error);
+    subdivision::Fail(this, error);
     return false;
   }
   if (this->Scheme != LOOP && this->Scheme != CATMULL_CLARK)
   {
-    subdivision::TellError(this, "Places have limits with Scheme = Loop or CatmullClark only.");
+    subdivision::Fail(this, "Places have limits with Scheme = Loop or CatmullClark only.");
     return false;
   }
   if (this->InterfaceValues == DISCONTINUOUS_VALUES)
   {
-    subdivision::TellError(
+    subdivision::Fail(
       this, "Places have no values that jump: switch InterfaceValues to Continuous.");
     return false;
   }
@@ -118,7 +118,7 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
   return subdivision::MakeBezierCells(made,
     { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
       this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { subdivision::TellError(this, text); } });
+      [this](const std::string& text) { subdivision::Fail(this, text); } });
 }
 
 int vtkSurfaceSubdivision::RequestData(
@@ -126,10 +126,9 @@ int vtkSurfaceSubdivision::RequestData(
 {
   if (this->Adaptive)
   {
-    subdivision::TellError(this,
+    subdivision::Fail(this,
       "Adaptive refinement is a filter of its own: use vtkAdaptiveSurfaceSubdivision, "
-      "which has the same criteria by the same names. For uniform subdivision switch Adaptive off "
-      "here.");
+      "which has the same criteria. For uniform subdivision switch Adaptive off here.");
     return 0;
   }
   subdivision::SurfaceOptions options;
@@ -139,19 +138,16 @@ int vtkSurfaceSubdivision::RequestData(
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
-    subdivision::TellWarning(this,
-      "Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay "
-      "linear.");
+    subdivision::Warn(
+      this, "Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay linear.");
   }
   if (writesBezierCells && this->GenerateGlobalIds)
   {
-    subdivision::TellWarning(
-      this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
+    subdivision::Warn(this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
   if (writesBezierCells && this->GenerateErrorBounds)
   {
-    subdivision::TellWarning(
-      this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+    subdivision::Warn(this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
   }
   options.ProjectToLimit = this->ProjectToLimit || (writesBezierCells && this->Scheme != LINEAR);
   options.GenerateLimitNormals = this->GenerateLimitNormals;

@@ -17,6 +17,16 @@ VTK_FILTERS = {"vtkCleanPolyData": "Clean", "vtkDataSetSurfaceFilter": "Extract 
                "vtkStaticCleanUnstructuredGrid": "Clean to Grid", "vtkTriangleFilter": "Triangulate"}
 
 
+# Data sets and cells of VTK that messages name by their classes, as who sees no classes calls them.
+CELLS = ("Vertex PolyVertex Line PolyLine Triangle TriangleStrip Polygon Pixel Quad Tetra Voxel Hexahedron Wedge Pyramid "
+         "PentagonalPrism HexagonalPrism QuadraticEdge QuadraticTriangle QuadraticQuad QuadraticPolygon QuadraticTetra "
+         "QuadraticHexahedron QuadraticWedge QuadraticPyramid BiQuadraticQuad TriQuadraticHexahedron TriQuadraticPyramid "
+         "QuadraticLinearQuad QuadraticLinearWedge BiQuadraticQuadraticWedge BiQuadraticQuadraticHexahedron "
+         "BiQuadraticTriangle CubicLine ConvexPointSet Polyhedron EmptyCell").split() + [
+    kind + cell for kind in ("Lagrange", "Bezier")
+    for cell in ("Curve", "Triangle", "Quadrilateral", "Tetra", "Hexahedron", "Wedge")]
+
+
 def split(name, between):
     """NumberOfLevels as number-of-levels or number_of_levels."""
     return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", between, name).replace("-", between).lower()
@@ -121,9 +131,9 @@ def read(paths):
 
 def words(one, filters, name, classes):
     """What messages of a filter say, and what an interface says instead. `name` gives its name of an option, `classes`
-    has its names of classes; filters of the project are added by what `name` gives."""
+    has its names of classes; cells, and filters of the project are added by what `name` gives."""
     made = {other.cls: name(other) for other in sorted(filters, key=lambda other: other.has_input)}
-    made.update(classes)
+    made.update({f"vtk{cell}": split(cell, " ") for cell in CELLS}, **classes)
     for option in one.options:
         shown = name(option)
         if re.search("[a-z0-9][A-Z]", option.name):

@@ -21,12 +21,11 @@ def main():
     for one in filters:
         words = ", ".join(f"{{ {quoted(key)}, {quoted(value)} }}"
                           for key, value in options.words(one, filters, name, classes).items())
-        calls.append(f"  subdivision::AddMessageWords({quoted(one.cls)}, {{ {words} }});\n")
+        calls.append(f"  subdivision::AddWords({quoted(one.cls)}, {{ {words} }});\n")
     with open(sys.argv[2], "w", encoding="utf-8") as file:
         file.write(f"""// Made by Plugin/write_labels.py from the files beside it. Edit those.
 #include "Labels.h"
-
-#include "Private/Control/MessageWords.h"
+#include "Words.h"
 
 void AddLabels()
 {{

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Messages.h"
 #include "Options.h"
-
-#include "Private/Control/MessageWords.h"
+#include "Words.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
@@ -122,7 +121,7 @@ void CatchMessages(bool quiet)
   vtkOutputWindow::SetInstance(window);
   for (const Filter& filter : GetFilters())
   {
-    subdivision::AddMessageWords(filter.Class, filter.Words);
+    subdivision::AddWords(filter.Class, filter.Words);
   }
 }
 

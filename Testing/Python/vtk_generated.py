@@ -71,6 +71,7 @@ class Generated(unittest.TestCase):
         self.assertEqual(words["Kind ="], f'"{LINES}" =')
         self.assertEqual(words["vtkMadeFilter"], f'"{" ".join(NASTY.split())}"')
         self.assertEqual(words["vtkDataSetSurfaceFilter"], '"Extract Surface"')
+        self.assertEqual(words["vtkQuadraticTetra"], "quadratic tetra")
         self.assertNotIn("Kind", words)  # may be a word like any other
 
     def test_python(self):

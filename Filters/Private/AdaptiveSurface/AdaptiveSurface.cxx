@@ -321,7 +321,7 @@ void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
   {
     this->Options.Warn(std::to_string(notes.TooShort) +
       " cells that the criteria ask for were not refined: they are so small that no number lies "
-      "between the coordinates of their points.");
+      "between the coordinates of their points. Use weaker criteria there.");
   }
 }
 

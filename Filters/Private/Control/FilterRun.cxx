@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Control/MemoryEstimate.h"
-#include "Private/Control/MessageWords.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -38,18 +37,31 @@ bool HasDuplicateCells(vtkPointSet* input)
 
 }
 
+std::string (*Translate)(const std::string& className, const std::string& text) = nullptr;
+
+void Warn(vtkObject* filter, const std::string& text)
+{
+  vtkWarningWithObjectMacro(
+    filter, << (Translate ? Translate(filter->GetClassName(), text) : text));
+}
+
+void Fail(vtkObject* filter, const std::string& text)
+{
+  vtkErrorWithObjectMacro(filter, << (Translate ? Translate(filter->GetClassName(), text) : text));
+}
+
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed)
 {
   options.Warn = [filter, told = options.Told](const std::string& message)
   {
     if (!told || told->IsNew(message))
     {
-      TellWarning(filter, message);
+      subdivision::Warn(filter, message);
     }
   };
   options.Fail = [filter, &failed](const std::string& message)
   {
-    TellError(filter, message);
+    subdivision::Fail(filter, message);
     failed = true;
   };
   options.Progress =

@@ -9,15 +9,27 @@
 
 #include "Private/Control/RunOptions.h"
 
+#include "vtkSubdivisionObjectsModule.h"
+
 #include <functional>
 #include <string>
 
 class vtkAlgorithm;
 class vtkInformationVector;
+class vtkObject;
 class vtkPointSet;
 
 namespace subdivision
 {
+
+/// Puts the words of an interface in the places of names of C++ ("MergePoints", "array index 5") in
+/// the messages of a class; null: these stay.
+extern VTKSUBDIVISIONOBJECTS_EXPORT std::string (*Translate)(
+  const std::string& className, const std::string& text);
+
+/// A warning or an error of a filter.
+void Warn(vtkObject* filter, const std::string& text);
+void Fail(vtkObject* filter, const std::string& text);
 
 /// What filters that run alike say and do differently.
 struct FilterTraits

@@ -228,13 +228,13 @@ private:
       array->GetNumberOfTuples() != this->Input->GetNumberOfCells() || IsMade(name))
     {
       options.Warn("There is no cell array of numbers, with one for each cell, \"" + name +
-        "\" to be made a field.");
+        "\" to be made a field. Correct FieldsOfCells.");
       return;
     }
     if (this->Input->GetPointData()->HasArray(name.c_str()))
     {
       options.Warn("The cell array \"" + name +
-        "\" does not become a field: there is a point array of that name.");
+        "\" does not become a field: there is a point array of that name. Rename one of them.");
       return;
     }
     const int size = array->GetNumberOfComponents();

@@ -101,7 +101,8 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   }
   if (!this->Rest.HasCells())
   {
-    options.Warn("The rest mesh has no cell that can be used: the output is the input.");
+    options.Warn(
+      "The rest mesh has no cell that can be used: the output is the input. Correct its cells.");
     return true;
   }
   vtkDataArray* points = input->GetPoints()->GetData();
@@ -164,7 +165,7 @@ bool Deformation::Prepare(
   if (lost >= 0)
   {
     options.Fail("Point " + std::to_string(lost) +
-      " of the deformed mesh is not finite. The output is the input.");
+      " of the deformed mesh is not finite. The output is the input. Correct its coordinates.");
     return false;
   }
   const vtkIdType builds = this->Rest.NumberOfBuilds;

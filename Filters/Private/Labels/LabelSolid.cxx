@@ -413,7 +413,8 @@ bool LabelSolid::Run(vtkUnstructuredGrid* output)
   if (this->Fine.NumberOfMaterialVoxels == 0)
   {
     this->Options.Warn("All voxels have the label of the background, " +
-      Text(this->Options.Background) + ", or are hidden: the output is empty.");
+      Text(this->Options.Background) +
+      ", or are hidden: the output is empty. Set BackgroundLabel to another number.");
     return true;
   }
   LabelNet net(this->Coarse, this->Options.LargestMove);

@@ -73,7 +73,8 @@ std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
   }
   if (!without.empty())
   {
-    warn("The table of materials has no row for label " + without + ": its cells get zeros.");
+    warn("The table of materials has no row for label " + without +
+      ": its cells get zeros. Add a row for it.");
   }
   if (!several.empty())
   {

@@ -253,7 +253,7 @@ void RedGreenRun::WarnOfNotes(MarkNotes& notes)
     this->Warn(std::to_string(notes.TooShort) +
       " edges or cells that the criteria ask for were not refined: they are so small that no "
       "number "
-      "lies between the coordinates of their points.");
+      "lies between the coordinates of their points. Use weaker criteria there.");
   }
 }
 
