@@ -573,7 +573,7 @@ TEST(EvaluateLimit, Errors)
     MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. }, { 2., 0., 0. } },
       { { VTK_TRIANGLE, { 1, 4, 2 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
   filter->SetInputData(quad);
-  fails(1, { 0.2, 0.2, 0. }, "EvaluateLimit of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK");
+  fails(1, { 0.2, 0.2, 0. }, "EvaluateLimit of vtkSurfaceSubdivision with Scheme = CatmullClark");
   const Grid tet = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   filter->SetInputData(tet);
