@@ -232,9 +232,10 @@ public:
    * borders with seven and more triangles on a side (but with ModifiedBoundary), on surfaces inside
    * a solid, and on semi-sharp creases that are still sharp on the last level. So that nothing is
    * drawn black, points with triangles there (those of surfaces and of the boundaries of solids)
-   * have the mean of the triangles' normals, weighted by area (of the largest one where they
-   * cancel), points of curves a direction perpendicular to the curve, and single points the z axis;
-   * where tangents are parallel but for rounding the normal is perpendicular to them. All this
+   * have the mean of the normals of the triangles in the limit, weighted by angle, the same on all
+   * levels (Mathematics 8), points of curves a direction perpendicular to the curve, and single
+   * points the z axis; where tangents are parallel but for rounding the normal is perpendicular to
+   * them. A part of a surface has the side of its first triangle there, too. All this
    * depends on coordinates, not on numbers of points. Normals are zero only inside solids: no
    * surface is there that they would be perpendicular to. Filters that make one, by cutting or
    * clipping, have to make normals, too. Off by default.

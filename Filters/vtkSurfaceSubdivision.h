@@ -260,8 +260,10 @@ public:
    * sharp for more than 26 levels they are as if it were for 26.
    *
    * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
-   * at joints and all other points with faces they are the mean of the normals of these, weighted
-   * by area (of the largest one where they cancel), on curves a direction perpendicular to the
+   * at joints, ends of creases and all other points with faces they are the mean of the normals
+   * that corners of faces have there in the limit, weighted by angle (where these cancel, see
+   * Mathematics 8), the same on all levels and with ProjectToLimit; DOO_SABIN and MIDEDGE, which
+   * keep no points, take the faces of the level. On curves they are perpendicular to the
    * curve, and at single points the z axis. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ShadingNormals.h"
 
-#include "Core/Memory/Loops.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace subdivision
@@ -14,6 +13,9 @@ namespace
 {
 
 using Vector = std::array<double, 3>;
+
+/// What is shorter than this part of its terms has cancelled.
+constexpr double Cancelled = 1e-6;
 
 double Length(const double a[3])
 {
@@ -26,10 +28,26 @@ bool IsLong(const double a[3], double least)
   return length > least && std::isfinite(length);
 }
 
-void Normalise(const double a[3], double out[3])
+Vector Scale(const double a[3], double factor)
 {
-  const double length = Length(a);
-  std::transform(a, a + 3, out, [length](double value) { return value / length; });
+  return { a[0] * factor, a[1] * factor, a[2] * factor };
+}
+
+/// Times `length`.
+Vector Normalise(const double a[3], double length = 1.)
+{
+  const double own = Length(a);
+  return { length * (a[0] / own), length * (a[1] / own), length * (a[2] / own) };
+}
+
+Vector Cross(const double a[3], const double b[3])
+{
+  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
+}
+
+Vector Subtract(const double a[3], const double b[3])
+{
+  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
 /// The longest vector; of equally long ones the last in lexicographic order.
@@ -42,20 +60,30 @@ const Vector& FindLongest(const std::vector<Vector>& sorted)
 /// Along the lines at a point.
 Vector FindTangent(std::vector<Vector>& lines)
 {
-  constexpr double turnsBack = 1e-6;
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   if (lines.size() == 2)
   {
-    const Vector& a = lines[0];
-    const Vector& b = lines[1];
-    const Vector chord = { b[0] - a[0], b[1] - a[1], b[2] - a[2] };
-    if (IsLong(chord.data(), turnsBack * (Length(a.data()) + Length(b.data()))))
+    const Vector chord = Subtract(lines[1].data(), lines[0].data());
+    if (IsLong(chord.data(), Cancelled * (Length(lines[0].data()) + Length(lines[1].data()))))
     {
       return chord;
     }
   }
   return lines.empty() ? Vector{ 0., 0., 0. } : FindLongest(lines);
+}
+
+/// Adds vectors up. Returns whether they do not cancel.
+bool AddUp(const std::vector<Vector>& parts, Vector& sum)
+{
+  sum = { 0., 0., 0. };
+  double all = 0.;
+  for (const Vector& part : parts)
+  {
+    all += Length(part.data());
+    std::transform(part.begin(), part.end(), sum.begin(), sum.begin(), std::plus<>());
+  }
+  return IsLong(sum.data(), Cancelled * all);
 }
 
 }
@@ -68,135 +96,171 @@ void FindPerpendicular(const double vector[3], double normal[3])
     normal[2] = 1.;
     return;
   }
-  double line[3];
-  Normalise(vector, line);
-  const auto far =
-    std::min_element(line, line + 3, [](double a, double b) { return std::abs(a) < std::abs(b); });
-  double across[3] = { -*far * line[0], -*far * line[1], -*far * line[2] };
-  across[far - line] += 1.;
-  Normalise(across, normal);
+  const Vector line = Normalise(vector);
+  const auto far = std::min_element(
+    line.begin(), line.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+  Vector across = Scale(line.data(), -*far);
+  across[far - line.begin()] += 1.;
+  const Vector unit = Normalise(across.data());
+  std::copy(unit.begin(), unit.end(), normal);
 }
 
-void ShadingNormals::AddTriangle(
-  vtkIdType a, vtkIdType b, vtkIdType c, double sign, double normal[3]) const
+void ShadingStar::Clear()
 {
-  double u[3];
-  double v[3];
-  for (int i = 0; i < 3; ++i)
-  {
-    u[i] = this->Get(b, i) - this->Get(a, i);
-    v[i] = this->Get(c, i) - this->Get(a, i);
-  }
-  for (int i = 0; i < 3; ++i)
-  {
-    const int j = (i + 1) % 3;
-    const int k = (i + 2) % 3;
-    normal[i] += sign * (u[j] * v[k] - u[k] * v[j]);
-  }
+  this->Corners.clear();
+  this->Lines.clear();
 }
 
-/// Adds the normal of a facet, unless it has no direction.
-bool ShadingNormals::AddNormal(const double normal[3])
+void ShadingStar::AddCorner(
+  const double a[3], const double b[3], const double middle[3], double sign)
 {
-  const bool isFacet = IsLong(normal, 0.);
-  if (isFacet)
-  {
-    this->FacetNormals.push_back({ normal[0], normal[1], normal[2] });
-  }
-  return isFacet;
+  this->Corners.push_back(
+    { { a[0], a[1], a[2] }, { b[0], b[1], b[2] }, { middle[0], middle[1], middle[2] }, sign });
 }
 
-/// Says that a point lies at the last facet, or at one without a normal.
-void ShadingNormals::AddToFacet(vtkIdType point, bool isFacet)
+void ShadingStar::AddLine(const double end[3])
 {
-  this->Found[point] |= IsThere;
-  if (isFacet)
+  if (IsLong(end, 0.))
   {
-    this->Facets.push_back({ point, static_cast<vtkIdType>(this->FacetNormals.size()) - 1 });
+    this->Lines.push_back({ end[0], end[1], end[2] });
   }
 }
 
-void ShadingNormals::AddLine(vtkIdType a, vtkIdType b)
+void ShadingStar::FindNormal(double normal[3])
 {
-  for (const auto& [end, other] : { std::make_pair(a, b), std::make_pair(b, a) })
+  constexpr double parallel = 1e-9;
+  double largest = 0.;
+  for (const Corner& corner : this->Corners)
   {
-    if (!this->IsMissing(end))
+    largest = std::max({ largest, Length(corner.A.data()), Length(corner.B.data()) });
+  }
+  // The normal times the angle, and the area; sums do not depend on the order.
+  std::vector<std::pair<Vector, Vector>> parts;
+  for (const Corner& corner : this->Corners)
+  {
+    if (!IsLong(corner.A.data(), 0.) || !IsLong(corner.B.data(), 0.))
     {
       continue;
     }
-    this->Found[end] |= IsThere;
-    Vector line;
-    for (int c = 0; c < 3; ++c)
+    const Vector a = Normalise(corner.A.data());
+    const Vector b = Normalise(corner.B.data());
+    const Vector cross = Cross(a.data(), b.data());
+    const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const Vector side = Scale(Subtract(corner.B.data(), corner.A.data()).data(), 1. / largest);
+    const Vector middle = Scale(corner.Middle.data(), 1. / largest);
+    const Vector area = Cross(middle.data(), side.data());
+    // Sides in one line: the face beside them may have a normal.
+    const bool isCorner = IsLong(cross.data(), parallel);
+    if (isCorner || IsLong(area.data(), parallel * Length(middle.data()) * Length(side.data())))
     {
-      line[c] = this->Get(other, c) - this->Get(end, c);
-    }
-    if (IsLong(line.data(), 0.) && !(this->FirstLines && (this->Found[end] & HasLine) != 0))
-    {
-      this->Found[end] |= HasLine;
-      this->Lines.push_back({ end, line });
+      parts.emplace_back(Normalise(isCorner ? cross.data() : area.data(),
+                           corner.Sign * std::atan2(Length(cross.data()), cosine)),
+        Scale(area.data(), corner.Sign));
     }
   }
+  if (parts.empty())
+  {
+    for (const Corner& corner : this->Corners) // which have no width
+    {
+      this->AddLine(corner.A.data());
+      this->AddLine(corner.B.data());
+    }
+    return FindPerpendicular(FindTangent(this->Lines).data(), normal);
+  }
+  std::sort(parts.begin(), parts.end());
+  std::vector<Vector> angles;
+  std::vector<Vector> areas;
+  for (const auto& [ofAngle, area] : parts)
+  {
+    angles.push_back(ofAngle);
+    areas.push_back(area);
+  }
+  Vector sum;
+  if (!AddUp(angles, sum) && !AddUp(areas, sum))
+  {
+    sum = FindLongest(areas);
+    sum = IsLong(sum.data(), 0.) ? sum : FindLongest(angles);
+  }
+  const Vector unit = Normalise(sum.data());
+  std::copy(unit.begin(), unit.end(), normal);
 }
 
 namespace
 {
 
-/// The numbers of parts, point by point.
-template <typename Part>
-Rows<vtkIdType> SortByPoint(const std::vector<Part>& parts, vtkIdType points)
+/// Whether two rows have, but for their lengths, almost the same weights or the opposite ones, or
+/// one of them is much shorter than the other.
+bool AreNarrow(const double* a, const double* b, std::size_t size)
 {
-  return ListByRow<vtkIdType>(
-    points, static_cast<vtkIdType>(parts.size()), [&](vtkIdType i) { return parts[i].Point; },
-    [](vtkIdType i) { return i; });
-}
-
-/// From the normals of the facets at a point, which are sorted: sums do not depend on their order.
-void FindMean(std::vector<Vector>& facets, double normal[3])
-{
-  constexpr double cancelled = 1e-6;
-  std::sort(facets.begin(), facets.end());
-  Vector sum = { 0., 0., 0. };
-  double area = 0.;
-  for (const Vector& facet : facets)
+  constexpr double least = 1e-4;
+  const double lengths[2] = { std::sqrt(std::inner_product(a, a + size, a, 0.)),
+    std::sqrt(std::inner_product(b, b + size, b, 0.)) };
+  if (std::min(lengths[0], lengths[1]) <= least * std::max(lengths[0], lengths[1]))
   {
-    area += Length(facet.data());
-    std::transform(facet.begin(), facet.end(), sum.begin(), sum.begin(), std::plus<>());
+    return true;
   }
-  Normalise(IsLong(sum.data(), cancelled * area) ? sum.data() : FindLongest(facets).data(), normal);
+  double squares[2] = { 0., 0. };
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    squares[0] += std::pow(a[k] / lengths[0] - b[k] / lengths[1], 2);
+    squares[1] += std::pow(a[k] / lengths[0] + b[k] / lengths[1], 2);
+  }
+  return std::min(squares[0], squares[1]) < least * least;
 }
 
 }
 
-void ShadingNormals::Fill()
+std::vector<double> FindStarRows(const std::vector<double>& step, std::size_t size,
+  const std::vector<std::array<int, 2>>& corners, int made)
 {
-  const vtkIdType size = this->Found.size();
-  const Rows<vtkIdType> facets = SortByPoint(this->Facets, size);
-  const Rows<vtkIdType> lines = SortByPoint(this->Lines, size);
-  ForRanges(size,
-    [&](vtkIdType begin, vtkIdType end)
+  const std::size_t ends = size - 1;
+  // Seen from the point, which moves too.
+  std::vector<double> seen(ends * ends);
+  std::vector<double> first(ends * size, 0.);
+  for (std::size_t i = 0; i < ends; ++i)
+  {
+    for (std::size_t k = 0; k < ends; ++k)
     {
-      std::vector<Vector> star;
-      for (vtkIdType point = begin; point < end; ++point)
+      seen[i * ends + k] = step[(i + 1) * size + k + 1] - step[k + 1];
+    }
+    first[i * size] = -1.;
+    first[i * size + i + 1] = 1.;
+  }
+  const auto isNarrow = [&](const std::vector<double>& rows)
+  {
+    return std::any_of(corners.begin(), corners.end(),
+      [&](const std::array<int, 2>& corner)
       {
-        if (this->Found[point] == 0)
+        return AreNarrow(
+          rows.data() + (corner[0] - 1) * size, rows.data() + (corner[1] - 1) * size, size);
+      });
+  };
+  const auto advance = [&](std::vector<double>& rows)
+  {
+    std::vector<double> next(ends * size, 0.);
+    for (std::size_t i = 0; i < ends; ++i)
+    {
+      for (std::size_t k = 0; k < ends; ++k)
+      {
+        const double weight = seen[i * ends + k];
+        for (std::size_t j = 0; weight != 0. && j < size; ++j)
         {
-          continue;
+          next[i * size + j] += weight * rows[k * size + j];
         }
-        star.clear();
-        const bool hasFacets = facets[point].size() > 0;
-        for (const vtkIdType i : hasFacets ? facets[point] : lines[point])
-        {
-          star.push_back(
-            hasFacets ? this->FacetNormals[this->Facets[i].What] : this->Lines[i].What);
-        }
-        double* normal = this->Normals + 3 * point;
-        hasFacets ? FindMean(star, normal) : FindPerpendicular(FindTangent(star).data(), normal);
       }
-    });
-  this->FacetNormals.clear();
-  this->Facets.clear();
-  this->Lines.clear();
-  ForEach(size, [&](vtkIdType point) { this->Found[point] = 0; });
+    }
+    rows = std::move(next);
+  };
+  int level = 0;
+  for (std::vector<double> rows = first; level < MostStepsOfStars && !isNarrow(rows); ++level)
+  {
+    advance(rows);
+  }
+  for (; level > made; --level)
+  {
+    advance(first);
+  }
+  return first;
 }
 
 }

@@ -4,19 +4,20 @@
  * Normals for points without tangent plane, which would be drawn black without a normal
  * (Mathematics 8).
  *
- * A point with facets (polygons) gets the mean of their normals weighted by area, or, where these
- * cancel, the normal of the largest facet. A point with lines only gets a direction perpendicular
- * to them: to the chord of their other ends if there are two, so that a curve has the normal of its
- * tangent, else to the longest one. A point without facets and lines gets the z axis. Where several
- * directions are as good, the choice depends on coordinates and never on numbers of points or on
- * the order of calls.
+ * They follow from the *star* of a point: the directions in which its neighbours lie after so many
+ * more steps that only the limit counts. A point at faces gets the mean of the normals of their
+ * corners, weighted by angle, or, where these cancel, the sum of the areas beside it, or else the
+ * normal of the largest one. A point with lines only gets a direction perpendicular to them: to the
+ * chord of their other ends if there are two, so that a curve has the normal of its tangent, else
+ * to the longest one. A point without faces and lines gets the z axis. Where several directions are
+ * as good, the choice depends on coordinates and never on numbers of points or on the order of
+ * calls.
  */
 #ifndef SubdivisionObjects_ShadingNormals_h
 #define SubdivisionObjects_ShadingNormals_h
 
-#include "Core/Memory/Buffer.h"
-
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace subdivision
@@ -26,104 +27,45 @@ namespace subdivision
 /// to which it is least parallel; the z axis for a vector without length or direction.
 void FindPerpendicular(const double vector[3], double normal[3]);
 
-class ShadingNormals
+/// What lies around one point, as vectors from there.
+class ShadingStar
 {
 public:
-  /// `points` and `normals` have three numbers for each point. Only normals of points in `missing`
-  /// are written.
-  ShadingNormals(const double* points, const Buffer<unsigned char>& missing, double* normals)
-    : Points(points)
-    , Missing(missing)
-    , Normals(normals)
-    , Found(missing.size(), 0)
-  {
-  }
-
-  bool IsMissing(vtkIdType point) const { return this->Missing[point] != 0; }
-
-  /// Adds a polygon. `turned` reverses the normal.
-  template <typename Id>
-  void AddFacet(const Id* corners, int size, bool turned)
-  {
-    bool isMissing = false;
-    for (int i = 0; i < size; ++i)
-    {
-      isMissing = isMissing || this->IsMissing(corners[i]);
-    }
-    if (!isMissing)
-    {
-      return;
-    }
-    double normal[3] = { 0., 0., 0. };
-    for (int i = 2; i < size; ++i)
-    {
-      this->AddTriangle(corners[0], corners[i - 1], corners[i], turned ? -1. : 1., normal);
-    }
-    const bool isFacet = this->AddNormal(normal);
-    for (int i = 0; i < size; ++i)
-    {
-      if (this->IsMissing(corners[i]))
-      {
-        this->AddToFacet(corners[i], isFacet);
-      }
-    }
-  }
-  /// Adds a boundary triangle of the solid whose fourth vertex is `inside`. Its normal points out
-  /// of the solid.
-  template <typename Id>
-  void AddFacetOfSolid(const Id* corners, Id inside)
-  {
-    double normal[3] = { 0., 0., 0. };
-    this->AddTriangle(corners[0], corners[1], corners[2], 1., normal);
-    double height = 0.;
-    for (int c = 0; c < 3; ++c)
-    {
-      height += normal[c] * (this->Get(inside, c) - this->Get(corners[0], c));
-    }
-    this->AddFacet(corners, 3, height > 0.);
-  }
-  void AddLine(vtkIdType a, vtkIdType b);
-  /// From now on a point takes the first of its lines only: where others may end elsewhere in other
-  /// parts of the mesh.
-  void TakeFirstLines() { this->FirstLines = true; }
-  void AddPoint(vtkIdType point)
-  {
-    if (this->IsMissing(point))
-    {
-      this->Found[point] |= IsThere;
-    }
-  }
-  /// Writes the normals of all missing points at which something was added.
-  void Fill();
+  void Clear();
+  /// Adds the corner of a face between its sides to `a` and `b`; `middle`: the face's. A `sign` of
+  /// -1 reverses the normal, which is else that of a x b.
+  void AddCorner(const double a[3], const double b[3], const double middle[3], double sign);
+  /// Adds a line to `end`.
+  void AddLine(const double end[3]);
+  void FindNormal(double normal[3]);
 
 private:
   using Vector = std::array<double, 3>;
-  /// Something at a point: the number of a facet, or the vector to the other end of a line.
-  template <typename T>
-  struct Part
+  struct Corner
   {
-    vtkIdType Point;
-    T What;
+    Vector A;
+    Vector B;
+    Vector Middle;
+    double Sign;
   };
-  enum : unsigned char
-  {
-    IsThere = 1,
-    HasLine = 2
-  };
-  double Get(vtkIdType point, int c) const { return this->Points[3 * point + c]; }
-  void AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c, double sign, double normal[3]) const;
-  bool AddNormal(const double normal[3]);
-  void AddToFacet(vtkIdType point, bool isFacet);
-
-  const double* Points;
-  const Buffer<unsigned char>& Missing;
-  double* Normals;
-  bool FirstLines = false;
-  Buffer<unsigned char> Found;         ///< what lies at each point
-  std::vector<Vector> FacetNormals;    ///< twice as long as facets are large
-  std::vector<Part<vtkIdType>> Facets; ///< at points
-  std::vector<Part<Vector>> Lines;
+  std::vector<Corner> Corners;
+  std::vector<Vector> Lines;
 };
+
+/// The most steps after which a star is looked at, counted from the control mesh.
+constexpr int MostStepsOfStars = 40;
+
+/**
+ * The rows of a star so many steps later. `step` is its local matrix, of `size` items, the first of
+ * which is the point itself; the result has, for each other item, the weights of all items: where
+ * it will be, seen from the point. `corners`: the items at both sides of each corner. The star is
+ * one of the level that is MostStepsOfStars after the control mesh, or, where the two sides of a
+ * corner become parallel, or one of them much shorter, of that level on which they differ by 1e-4:
+ * so rounding does not show. The level does not depend on the one from which steps begin, which is
+ * `made` after the control mesh.
+ */
+std::vector<double> FindStarRows(const std::vector<double>& step, std::size_t size,
+  const std::vector<std::array<int, 2>>& corners, int made);
 
 }
 

@@ -16,7 +16,8 @@
 namespace subdivision
 {
 
-/// Two tangents for each vertex, three numbers each, and how far off both may be.
+/// Two tangents for each vertex, three numbers each, how far off both may be, and their normals if
+/// somebody wants these.
 struct TangentPairs
 {
   explicit TangentPairs(vtkIdType size)
@@ -26,6 +27,7 @@ struct TangentPairs
   }
   Buffer<double> Values[2];
   Buffer<double> Errors;
+  Buffer<double> Normals;
 };
 
 /**

@@ -76,9 +76,9 @@ private:
   void WarnOfLeft(vtkIdType left, vtkIdType mostCells);
   void TellNotes(AdaptiveNotes& notes) const;
   std::vector<vtkIdType> FindSegmentCells() const;
-  SurfaceLevel<Id> WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
+  void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
   Buffer<unsigned char> FindTurned() const;
-  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level);
+  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan);
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
@@ -162,12 +162,12 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
     return false;
   }
   const AdaptiveSqrtThreeOutput<Id> plan(*this->Mesh);
-  const SurfaceLevel<Id> level = this->WriteCells(plan);
+  this->WriteCells(plan);
   if (this->IsStopped(0.8))
   {
     return false;
   }
-  this->WritePoints(plan, level);
+  this->WritePoints(plan);
   RebuildPointGhosts(this->Input, this->Output);
   RemoveSurfaceStamp(this->Output);
   RemoveRegion(this->Output);
@@ -329,7 +329,7 @@ void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
 // Output
 
 template <typename Id>
-SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
+void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
 {
   using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
   std::vector<Piece> pieces;
@@ -368,7 +368,6 @@ SurfaceLevel<Id> AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& 
   WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
   CopySurfaceCellArrays(this->Input, sources, true, this->Options, this->Output);
   AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
-  return level;
 }
 
 template <typename Id>
@@ -381,8 +380,7 @@ Buffer<unsigned char> AdaptiveRun<Id>::FindTurned() const
 }
 
 template <typename Id>
-void AdaptiveRun<Id>::WritePoints(
-  const AdaptiveSqrtThreeOutput<Id>& plan, const SurfaceLevel<Id>& level)
+void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
 {
   const vtkIdType given = this->Mesh->GetNumberOfControlVertices();
   const vtkIdType size = this->Mesh->GetNumberOfVertices();
@@ -410,18 +408,15 @@ void AdaptiveRun<Id>::WritePoints(
     TurnTangents(
       turned, [this](vtkIdType v) { return this->Rows->FindFaceOfTangents(static_cast<Id>(v)); },
       tangents);
+    if (this->Options.GenerateLimitNormals)
+    {
+      FindNormals(*this->Scheme, this->Control, {}, turned, points.data(), tangents);
+    }
   }
   this->Points->Advance(limit, origin);
   if (wantsFrames)
   {
-    AddLimitFrames(
-      tangents, this->Points->GetPoints(), {}, this->Options.GenerateLimitNormals,
-      this->Options.GenerateTangents,
-      [&](ShadingNormals& normals)
-      {
-        AddShadingCells(level,
-          turned.empty() ? Buffer<unsigned char>() : plan.SpreadToTriangles(turned), normals);
-      },
+    AddLimitFrames(tangents, this->Points->GetPoints(), {}, this->Options.GenerateTangents,
       this->Input, this->Output);
   }
   this->Points->Finish(this->Output);

@@ -3,6 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Operators/ShadingNormals.h"
+#include "Core/Surfaces/Scheme/ShadingDescent.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Arrays/Arrays.h"
 
@@ -34,31 +36,37 @@ Buffer<double> ReadPoints(vtkDataArray* points)
 }
 
 template <typename Id>
-void AddShadingCells(
-  const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals)
+void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+  const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned, const double* points,
+  TangentPairs& tangents)
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  ForEachInTurn(mesh.NumberOfFaces,
-    [&](vtkIdType f)
+  tangents.Normals = Buffer<double>(3 * tangents.Errors.size());
+  Buffer<unsigned char> missing(level.Mesh.NumberOfVertices);
+  ForEach(tangents.Errors.size(),
+    [&](vtkIdType i)
     {
-      const Id face = static_cast<Id>(f);
-      normals.AddFacet(mesh.Vertices.data() + mesh.GetFirst(face),
-        static_cast<int>(mesh.GetSize(face)), !turned.empty() && turned[f] != 0);
+      const double* a = tangents.Values[0].data() + 3 * i;
+      const double* b = tangents.Values[1].data() + 3 * i;
+      double* normal = tangents.Normals.data() + 3 * i;
+      FindNormal(a, b, tangents.Errors[i], normal);
+      const bool isMissing =
+        std::all_of(normal, normal + 3, [](double value) { return value == 0.; });
+      if (i < missing.size())
+      {
+        missing[i] = isMissing;
+      }
+      else if (isMissing)
+      {
+        FindPerpendicular(
+          std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal);
+      }
     });
-  normals.TakeFirstLines(); // other partitions of an adaptive surface may have cut theirs
-  for (const Id line : InTurn(level.Lines))
-  {
-    normals.AddLine(mesh.EdgeVertices[2 * (line / 2)], mesh.EdgeVertices[2 * (line / 2) + 1]);
-  }
-  for (const vtkIdType v : InTurn(mesh.NumberOfVertices))
-  {
-    normals.AddPoint(v);
-  }
+  FindShadingNormals(scheme, level, creases, turned, missing, points, tangents.Values[0].data(),
+    tangents.Normals.data());
 }
 
 void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
-  const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output)
+  const Buffer<vtkIdType>& sources, bool twoTangents, vtkPolyData* input, vtkPolyData* output)
 {
   const int type = points->GetDataType();
   const vtkIdType size = sources.empty() ? tangents.Errors.size() : sources.size();
@@ -90,25 +98,10 @@ void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
     }
     AddInstead(input->GetPointData(), array, output->GetPointData());
   };
-  if (normals)
+  if (!tangents.Normals.empty())
   {
-    Buffer<double> values(3 * tangents.Errors.size());
-    Buffer<unsigned char> missing(tangents.Errors.size());
-    ForEach(missing.size(),
-      [&](vtkIdType i)
-      {
-        const double* first = tangents.Values[0].data() + 3 * i;
-        const double* second = tangents.Values[1].data() + 3 * i;
-        double* normal = values.data() + 3 * i;
-        FindNormal(first, second, tangents.Errors[i], normal);
-        missing[i] = std::all_of(normal, normal + 3, [](double value) { return value == 0.; });
-      });
-    const Buffer<double> places = ReadPoints(points);
-    ShadingNormals shading(places.data(), missing, values.data());
-    addCells(shading);
-    shading.Fill();
-    add(
-      LimitNormalsName, [&](vtkIdType i, double* n) { std::copy_n(values.data() + 3 * i, 3, n); });
+    add(LimitNormalsName,
+      [&](vtkIdType i, double* n) { std::copy_n(tangents.Normals.data() + 3 * i, 3, n); });
   }
   for (int t = 0; t < 2 && twoTangents; ++t)
   {
@@ -139,8 +132,8 @@ Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigne
 }
 
 template <typename Id>
-TangentPairs FindLimitTangents(
-  const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points)
+TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+  vtkDataArray* points, bool normals)
 {
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
@@ -175,10 +168,14 @@ TangentPairs FindLimitTangents(
                       : Id(-1);
     },
     tangents);
+  if (normals)
+  {
+    FindNormals(steps.GetScheme(), level, steps.GetSharpCreases(), turned, x.data(), tangents);
+  }
   return tangents;
 }
 
-SUBDIVISION_COMPILE_FUNCTION(AddShadingCells);
+SUBDIVISION_COMPILE_FUNCTION(FindNormals);
 SUBDIVISION_COMPILE_FUNCTION(SpreadTurned);
 SUBDIVISION_COMPILE_FUNCTION(FindLimitTangents);
 

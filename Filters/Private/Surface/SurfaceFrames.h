@@ -6,12 +6,9 @@
 #ifndef SubdivisionObjects_SurfaceFrames_h
 #define SubdivisionObjects_SurfaceFrames_h
 
-#include "Core/Operators/ShadingNormals.h"
 #include "Core/Operators/TangentErrors.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/ArrayNames.h"
-
-#include <functional>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -24,11 +21,12 @@ namespace subdivision
 template <typename Id>
 Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned);
 
-/// The tangents at the limits of the vertices of the last level, whose faces are `turned`.
-/// `points`: the vertices before they are moved to the limit, float or double.
+/// The tangents at the limits of the vertices of the last level, whose faces are `turned`, and
+/// normals if they are wanted. `points`: the vertices before they are moved to the limit, float or
+/// double.
 template <typename Id>
-TangentPairs FindLimitTangents(
-  const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points);
+TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+  vtkDataArray* points, bool normals);
 
 /// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so
 /// that normals have one side in each part; `turned`: as of FindTurnedFaces.
@@ -46,21 +44,20 @@ void TurnTangents(const Buffer<unsigned char>& turned, const FaceOf& faceOf, Tan
     });
 }
 
-/// Adds the arrays of normals and tangents to the output. `points`: where the vertices are in the
-/// end. `sources`: the vertex whose normal and tangents each output point takes; empty: its own.
-/// `addCells` adds the cells from which normals for shading are made.
+/// Sets the normals of tangents: at vertices of a level, of which they may be missing
+/// (FindShadingNormals), and at further points.
+template <typename Id>
+void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+  const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned, const double* points,
+  TangentPairs& tangents);
+
+/// Adds the arrays of normals and tangents, of the type of `points`, to the output. `sources`: the
+/// vertex whose normal and tangents each output point takes; empty: its own.
 void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool normals, bool twoTangents,
-  const std::function<void(ShadingNormals&)>& addCells, vtkPolyData* input, vtkPolyData* output);
+  const Buffer<vtkIdType>& sources, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
 
 /// Puts these arrays behind those of the input, once the output has these.
 void MoveLimitFramesToEnd(vtkPolyData* output);
-
-/// Adds the faces and lines of a level; all other vertices count as single points. `turned`: as
-/// of FindTurnedFaces.
-template <typename Id>
-void AddShadingCells(
-  const SurfaceLevel<Id>& level, const Buffer<unsigned char>& turned, ShadingNormals& normals);
 
 }
 

@@ -374,14 +374,14 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
   const TangentPairs tangents =
-    this->WantsFrames() ? FindLimitTangents(*this->Joined, turned, points) : TangentPairs(0);
+    this->WantsFrames() ? this->FindFrames(*this->Joined, turned, points) : TangentPairs(0);
   if (this->Options.ProjectToLimit)
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
   }
   if (this->WantsFrames())
   {
-    this->AddFrames(*this->Joined, turned, tangents, points, sources);
+    this->AddFrames(tangents, points, sources);
   }
   if (this->Options.Factors)
   {

@@ -209,14 +209,16 @@ private:
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;
   ControlKeys MakeKeys(Partners& others) const;
-  void AddFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+  TangentPairs FindFrames(
+    const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
+  {
+    return FindLimitTangents(steps, turned, points, this->Options.GenerateLimitNormals);
+  }
+  void AddFrames(
     const TangentPairs& tangents, vtkDataArray* points, const Buffer<vtkIdType>& sources)
   {
-    const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
     AddLimitFrames(
-      tangents, points, sources, this->Options.GenerateLimitNormals, this->Options.GenerateTangents,
-      [&](ShadingNormals& normals) { AddShadingCells(level, turned, normals); }, this->Input,
-      this->Output);
+      tangents, points, sources, this->Options.GenerateTangents, this->Input, this->Output);
   }
   void WriteCells();
   void WriteStamp();

@@ -77,9 +77,8 @@ bool SurfaceRun<Id>::Execute()
     }
   }
   const bool addFrames = !this->Joined && this->WantsFrames();
-  const TangentPairs tangents = addFrames
-    ? FindLimitTangents(*this->Steps, turned, this->Points->GetPoints())
-    : TangentPairs(0);
+  const TangentPairs tangents =
+    addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : TangentPairs(0);
   if (this->Options.ProjectToLimit)
   {
     const BlockOperator<Id> limit = this->Steps->GetLimit(LimitKind::Position);
@@ -91,7 +90,7 @@ bool SurfaceRun<Id>::Execute()
   }
   if (addFrames)
   {
-    this->AddFrames(*this->Steps, turned, tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+    this->AddFrames(tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
   this->WriteCells(); // after the points: those of the last level but one take no memory any more
   this->Points->Finish(this->Output);

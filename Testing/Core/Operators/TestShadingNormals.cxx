@@ -19,34 +19,35 @@ namespace
 {
 
 using Vector = std::array<double, 3>;
-using Triangle = std::array<vtkIdType, 3>;
-using Line = std::array<vtkIdType, 2>;
+using Corner = std::array<int, 2>;
 
 double Dot(const Vector& a, const Vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The normal of point 0 by its triangles and lines.
-Vector Find(const std::vector<Vector>& points, const std::vector<Triangle>& triangles,
-  const std::vector<Line>& lines = {})
+/// The normal of the origin, from triangles to two of the points each and from lines to points.
+Vector Find(const std::vector<Vector>& points, const std::vector<Corner>& corners,
+  const std::vector<int>& lines = {})
 {
-  Buffer<unsigned char> missing(static_cast<vtkIdType>(points.size()), 0);
-  missing[0] = 1;
-  std::vector<Vector> normals(points.size(), Vector{ 0., 0., 0. });
-  ShadingNormals shading(points[0].data(), missing, normals[0].data());
-  for (const Triangle& triangle : triangles)
+  ShadingStar star;
+  for (const auto& [a, b] : corners)
   {
-    shading.AddFacet(triangle.data(), 3, false);
+    Vector middle;
+    for (int c = 0; c < 3; ++c)
+    {
+      middle[c] = (points[a][c] + points[b][c]) / 3.;
+    }
+    star.AddCorner(points[a].data(), points[b].data(), middle.data(), 1.);
   }
-  for (const Line& line : lines)
+  for (const int line : lines)
   {
-    shading.AddLine(line[0], line[1]);
+    star.AddLine(points[line].data());
   }
-  shading.AddPoint(0);
-  shading.Fill();
-  EXPECT_NEAR(Dot(normals[0], normals[0]), 1., 1e-14);
-  return normals[0];
+  Vector normal = { 0., 0., 0. };
+  star.FindNormal(normal.data());
+  EXPECT_NEAR(Dot(normal, normal), 1., 1e-14);
+  return normal;
 }
 
 std::vector<Vector> MakePoints()
@@ -63,54 +64,102 @@ std::vector<Vector> MakePoints()
 
 }
 
-TEST(ShadingNormals, DoNotDependOnTheOrderOfFacets)
+TEST(ShadingNormals, DoNotDependOnTheOrderOfCorners)
 {
   const std::vector<Vector> points = MakePoints();
-  std::vector<Triangle> triangles = { { 0, 1, 2 }, { 0, 2, 3 }, { 0, 3, 4 }, { 0, 5, 6 },
-    { 0, 7, 8 }, { 0, 1, 8 } };
-  const Vector expected = Find(points, triangles);
+  std::vector<Corner> corners = { { 1, 2 }, { 2, 3 }, { 3, 4 }, { 5, 6 }, { 7, 8 }, { 1, 8 } };
+  const Vector expected = Find(points, corners);
   std::mt19937 chance(3);
   for (int i = 0; i < 50; ++i)
   {
-    std::shuffle(triangles.begin(), triangles.end(), chance);
-    EXPECT_EQ(Find(points, triangles), expected);
+    std::shuffle(corners.begin(), corners.end(), chance);
+    EXPECT_EQ(Find(points, corners), expected);
   }
 }
 
-TEST(ShadingNormals, OfFacetsThatCancelAreThoseOfTheLargest)
+TEST(ShadingNormals, CountAngles)
 {
-  const std::vector<Vector> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
-  const Vector up = Find(points, { { 0, 1, 2 }, { 0, 2, 1 } });
-  EXPECT_EQ(up, Find(points, { { 0, 2, 1 }, { 0, 1, 2 } }));
+  // A right angle up and one half as large to the side, whatever the lengths.
+  const double root = std::sqrt(0.5);
+  const Vector normal =
+    Find({ { 9, 0, 0 }, { 0, 0.1, 0 }, { 0, root, root } }, { { 0, 1 }, { 1, 2 } });
+  EXPECT_NEAR(normal[2] / normal[0], 2., 1e-12);
+  EXPECT_NEAR(normal[1], 0., 1e-15);
+}
+
+TEST(ShadingNormals, OfCornersThatCancelAreThoseOfTheAreas)
+{
+  const std::vector<Vector> points = { { 1, 0, 0 }, { 0, 1, 0 }, { 3, 0, 0 }, { 0, 0, 2 } };
+  const Vector up = Find(points, { { 0, 1 }, { 1, 0 } });
+  EXPECT_EQ(up, Find(points, { { 1, 0 }, { 0, 1 } }));
   EXPECT_EQ(up, (Vector{ 0., 0., 1. }));
+  EXPECT_EQ(Find(points, { { 0, 1 }, { 1, 2 } }), (Vector{ 0., 0., -1. })) << "2 is farther away";
+  // Two quads with the same sides: their middles tell them apart.
+  ShadingStar star;
+  star.AddCorner(points[0].data(), points[1].data(), points[2].data(), 1.);
+  star.AddCorner(points[1].data(), points[0].data(), points[3].data(), 1.);
+  Vector normal;
+  star.FindNormal(normal.data());
+  EXPECT_GT(std::abs(normal[0]), 0.1);
+}
+
+TEST(ShadingNormals, OfCornersWithSidesInOneLineAreThoseOfTheFace)
+{
+  ShadingStar star;
+  const Vector a = { 1, 0, 0 };
+  const Vector b = { -1, 0, 0 };
+  const Vector middle = { 0, 1, 0 };
+  star.AddCorner(a.data(), b.data(), middle.data(), 1.);
+  Vector normal;
+  star.FindNormal(normal.data());
+  EXPECT_EQ(normal, (Vector{ 0., 0., 1. }));
 }
 
 TEST(ShadingNormals, OfCurvesArePerpendicularToTheirTangent)
 {
   const std::vector<Vector> points = MakePoints();
-  const Vector normal = Find(points, {}, { { 1, 0 }, { 0, 2 } });
+  const Vector normal = Find(points, {}, { 1, 2 });
   Vector chord;
   std::transform(
     points[1].begin(), points[1].end(), points[2].begin(), chord.begin(), std::minus<>());
   EXPECT_NEAR(Dot(normal, chord), 0., 1e-14);
-  EXPECT_EQ(normal, Find(points, {}, { { 2, 0 }, { 0, 1 } }));
-  EXPECT_EQ(normal, Find(points, {}, { { 2, 0 }, { 0, 1 }, { 1, 0 } }))
-    << "a line that is there twice";
-  std::vector<Line> star = { { 0, 1 }, { 0, 2 }, { 0, 3 }, { 4, 0 } };
-  const Vector ofStar = Find(points, {}, star);
-  std::reverse(star.begin(), star.end());
-  EXPECT_EQ(Find(points, {}, star), ofStar);
+  EXPECT_EQ(normal, Find(points, {}, { 2, 1 }));
+  EXPECT_EQ(normal, Find(points, {}, { 2, 1, 1 })) << "a line that is there twice";
+  EXPECT_EQ(Find(points, {}, { 1, 2, 3, 4 }), Find(points, {}, { 4, 2, 3, 1 }));
 }
 
 TEST(ShadingNormals, AreNeverZero)
 {
-  const double nan = std::nan("");
   const Vector z = { 0., 0., 1. };
-  EXPECT_EQ(Find({ { 1, 2, 3 } }, {}), z);
-  const std::vector<Vector> same(4, Vector{ 1., 1., 1. });
-  EXPECT_EQ(Find(same, { { 0, 1, 2 } }, { { 0, 3 } }), z);
-  const std::vector<Vector> straight = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } };
-  EXPECT_EQ(Find(straight, { { 0, 1, 2 } })[2], 1.);
-  EXPECT_NEAR(Find(straight, { { 0, 1, 2 } }, { { 0, 3 } })[0], 0., 1e-15);
-  EXPECT_EQ(Find({ { 0, 0, 0 }, { nan, 0, 0 } }, {}, { { 0, 1 } }), z);
+  EXPECT_EQ(Find({}, {}), z);
+  const std::vector<Vector> same(4, Vector{ 0., 0., 0. });
+  EXPECT_EQ(Find(same, { { 1, 2 } }, { 3 }), z);
+  const std::vector<Vector> straight = { { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 } };
+  EXPECT_NEAR(Find(straight, { { 0, 1 } }, { 2 })[0], 0., 1e-15);
+  EXPECT_EQ(Find({ { std::nan(""), 0, 0 } }, {}, { 0 }), z);
+}
+
+/// The local matrix of a curve: from any level the star is that of one and the same level.
+TEST(ShadingNormals, StarsAreThoseOfOneLevel)
+{
+  const std::vector<double> curve = { 3. / 4, 1. / 8, 1. / 8, 1. / 2, 1. / 2, 0., 1. / 2, 0.,
+    1. / 2 };
+  const auto apply = [](const std::vector<double>& rows, const std::vector<double>& values)
+  {
+    std::vector<double> result(rows.size() / 3, 0.);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      result[i / 3] += rows[i] * values[i % 3];
+    }
+    return result;
+  };
+  std::vector<double> values = { 0.3, 1., -0.7 };
+  const std::vector<double> expected = apply(FindStarRows(curve, 3, {}, 0), values);
+  EXPECT_NEAR(expected[0] + expected[1], 0., 1e-20) << "a curve goes on straight";
+  for (int made = 1; made < 8; ++made)
+  {
+    values = apply(curve, values);
+    const std::vector<double> star = apply(FindStarRows(curve, 3, {}, made), values);
+    EXPECT_NEAR(star[0] / expected[0], 1., 1e-12) << made;
+  }
 }

@@ -66,10 +66,6 @@ struct BoxSplineScheme
   {
     return GetTurnOnTet(level.Complex, tet, triangle);
   }
-  static Id FindInside(const Level& level, Id tet, const Id* face)
-  {
-    return FindVertexBeside(level.Complex.TetVertices.data() + 4 * vtkIdType(tet), 4, face);
-  }
   class ControlTets
   {
   public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals from the tangents of LimitNormals.h.
+#include "Core/Operators/ShadingNormals.h"
 #include "Core/Operators/TangentErrors.h"
 
 #include "Core/Memory/Ids.h"
@@ -58,10 +59,7 @@ private:
     for (vtkIdType i = this->Tangents.SideOffsets[sector];
       i < this->Tangents.SideOffsets[sector + 1]; ++i)
     {
-      const vtkIdType side = this->Tangents.Sides[i];
-      const bool isInverted =
-        std::binary_search(this->Inverted.begin(), this->Inverted.end(), side - side % 2);
-      outwards += (side % 2 == 1) == isInverted ? 1 : -1;
+      outwards += subdivision::IsOutwards(this->Tangents.Sides[i], this->Inverted) ? 1 : -1;
     }
     return outwards >= 0;
   }
@@ -157,9 +155,7 @@ void ComputeLimitNormals(const LimitTangents<Id>& tangents, const Coordinates& p
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals)
 {
   ComputeSectorNormals(tangents, points, inverted, turned, normals);
-  const Buffer<unsigned char> missing = tangents.FindMissing();
-  ShadingNormals shading(points.Values, missing, normals);
-  tangents.Shading.Fill(shading, turned);
+  tangents.Shading.Fill(points.Values, inverted, turned, normals);
 }
 
 SUBDIVISION_COMPILE_FUNCTION(ComputeSectorNormals);

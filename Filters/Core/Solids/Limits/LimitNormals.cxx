@@ -494,7 +494,10 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
     level.Complex.NumberOfVertices, [](vtkIdType v) { return static_cast<Id>(v); });
   const Buffer<unsigned char> missing = tangents.FindMissing();
   tangents.AlongCurves = FindCurves(level, isSharp, missing);
-  tangents.Shading = FindShadingFacets(level, missing, FindShadingCells(level, solids.Steps));
+  Buffer<Id> rows(missing.size());
+  ForEach(rows.size(), [&](vtkIdType v) { rows[v] = missing[v] ? static_cast<Id>(v) : Id(-1); });
+  tangents.Shading = BuildShadingStars(
+    level, creases, solids, FindShadingCells(level, solids.Steps), rows, solids.Steps);
   return tangents;
 }
 

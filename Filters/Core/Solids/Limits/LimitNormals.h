@@ -12,9 +12,9 @@
  * sectors. A sector of 7 or more triangles has no tangent plane: the eigenvalue 3/8 + 1/4 cos(2
  * pi/k) is then larger than 1/2, that of the tangent along the curve. Corners, curves, joints,
  * darts, and vertices of creases that are still sharp have no tangent plane either; they take a
- * normal for shading from the triangles and lines at them. Where the tangents of a sector are
- * parallel but for rounding its normal is perpendicular to the longer one. Inside solids, where no
- * surface and no curve passes, no direction is a normal, and it is zero.
+ * normal for shading from their star in the limit (ShadingStars.h). Where the tangents of a sector
+ * are parallel but for rounding its normal is perpendicular to the longer one. Inside solids, where
+ * no surface and no curve passes, no direction is a normal, and it is zero.
  */
 #ifndef SubdivisionObjects_LimitNormals_h
 #define SubdivisionObjects_LimitNormals_h
@@ -22,7 +22,7 @@
 #include "Core/Memory/Coordinates.h"
 #include "Core/Operators/FaceSides.h"
 #include "Core/Solids/Limits/LimitStencils.h"
-#include "Core/Solids/Limits/ShadingFacets.h"
+#include "Core/Solids/Limits/ShadingStars.h"
 
 #include <vector>
 
@@ -51,7 +51,7 @@ struct LimitTangents
   /// goes; -1: the vertex has sectors, or lies on no curve. Only of whole levels.
   Buffer<Id> AlongCurves;
   /// What gives normals for shading to the vertices without sector.
-  ShadingFacets<Id> Shading;
+  ShadingStars<Id> Shading;
 
   /// Flags the vertices without sector.
   Buffer<unsigned char> FindMissing() const
@@ -77,16 +77,6 @@ struct LimitTangents
 /// sure.
 template <typename Level>
 FaceSides FindTriangleSides(const Level& level, const std::vector<char>& isSure = {});
-
-/// The tetrahedra of the control mesh: the number that LimitTangents::Sides uses for each, in the
-/// order of the complex (empty: its number there), and the number of steps from the control level
-/// to the level.
-struct ControlSolids
-{
-  std::vector<vtkIdType> Numbers;
-  int Steps = 0;
-  bool IsOfLevel = false; ///< Numbers has one for each solid of the level instead
-};
 
 /// The tangents at all vertices of a level that can be refined (Depth::ForRefinement).
 template <typename Level>

@@ -18,12 +18,14 @@
 #ifndef SubdivisionObjects_LimitRowMaker_h
 #define SubdivisionObjects_LimitRowMaker_h
 
+#include "Core/Operators/ShadingNormals.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Scheme/SharpSectors.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -111,17 +113,26 @@ struct HashNeighbourhood
   }
 };
 
+/// The local matrix of a neighbourhood.
+template <typename Star>
+std::vector<double> FillMatrix(const Star& star, const Neighbourhood& rows, std::size_t items)
+{
+  std::vector<double> matrix(items * items, 0.);
+  const int* row = rows.data();
+  for (std::size_t i = 0; i < items; ++i)
+  {
+    star.Weigh(row, static_cast<int>(i),
+      [&](int item, double weight) { matrix[i * items + item] += weight; });
+  }
+  return matrix;
+}
+
 /// The weights w of a neighbourhood (LimitStencils.h) by elimination. The algorithm of W.
 /// Grassmann, M. Taksar and D. Heyman (1985) subtracts nothing and so is exact to rounding.
 template <typename Star>
 std::vector<double> EliminateItems(const Star& star, const Neighbourhood& rows, int items)
 {
-  std::vector<double> a(static_cast<std::size_t>(items) * items, 0.);
-  const int* row = rows.data();
-  for (int i = 0; i < items; ++i)
-  {
-    star.Weigh(row, i, [&](int item, double weight) { a[i * items + item] += weight; });
-  }
+  std::vector<double> a = FillMatrix(star, rows, static_cast<std::size_t>(items));
   for (int k = items - 1; k > 0; --k)
   {
     const double* last = a.data() + k * items;
@@ -216,6 +227,10 @@ public:
   }
 
   void Make(Id vertex, LimitRow<Id>& row);
+  /// The rows of a star (ShadingNormals.h), of which `corners` names edges by their order, from 1
+  /// on: for each edge at the vertex where its far end lies, seen from there.
+  std::vector<LimitRow<Id>> MakeStar(Id vertex, const std::vector<Id>& edges,
+    const std::vector<std::array<int, 2>>& corners, int made);
 
 private:
   /// A vertex that a row reads: the far end of an item, or a vertex that belongs to no item.
@@ -225,7 +240,9 @@ private:
     Id Vertex;
   };
 
-  void ReadNeighbourhood();
+  void ReadNeighbourhood(const std::vector<Id>& edges = {});
+  int CountSteps() const { return static_cast<int>(std::ceil(this->MostSharpness)); }
+  void FinishRow(int steps, LimitRow<Id>& row);
   void StepBack(int step);
   void TakeFirstStep();
   StarRules<Id> GetStage(int step) const;
@@ -241,7 +258,10 @@ private:
   const SharpParts& Sharp;
   const vtkIdType NumberOfVertices;
   const vtkIdType NumberOfEdges;
-  std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Solved;
+  using Solutions = std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood>;
+  static constexpr std::size_t MostSolutions = 4096; // bounds the memory; refined levels have fewer
+  Solutions Solved;
+  Solutions Stars;
   // Of the current vertex:
   Id Vertex = 0;
   Numbering<Id> Keys; ///< item i is key i - 1
@@ -277,21 +297,27 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
     solved = SolveLimit(this->Here, this->Local, this->Keys.Ids.size() + 1);
   }
   this->Weights = solved;
-  if (this->Solved.size() > 4096) // bounds the memory; refined levels have far fewer
+  if (this->Solved.size() > MostSolutions)
   {
     this->Solved.clear();
   }
-  if (this->MostSharpness <= 0. && !this->HasRelief)
+  this->FinishRow(this->CountSteps(), row);
+}
+
+/// Makes from Weights, those after so many steps that have other rules, the row over the level.
+template <typename Star>
+void LimitRowMaker<Star>::FinishRow(int steps, LimitRow<Id>& row)
+{
+  if (steps == 0 && !this->HasRelief)
   {
-    row.Columns.push_back(vertex);
+    row.Columns.push_back(this->Vertex);
     for (Id key : this->Keys.Ids)
     {
-      row.Columns.push_back(this->Here.GetOppositeEnd(vertex, key));
+      row.Columns.push_back(this->Here.GetOppositeEnd(this->Vertex, key));
     }
     row.Weights = this->Weights;
     return;
   }
-  const int steps = static_cast<int>(std::ceil(this->MostSharpness));
   for (int step = steps - 1; step > 0; --step)
   {
     this->StepBack(step);
@@ -301,12 +327,49 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   row.Weights = this->NextWeights;
 }
 
-/// Reads the smooth rows of all items, without members that only the first step reads. HasRelief:
-/// whether the first step differs, also by what is still sharp at far ends.
 template <typename Star>
-void LimitRowMaker<Star>::ReadNeighbourhood()
+std::vector<LimitRow<typename Star::IdType>> LimitRowMaker<Star>::MakeStar(
+  Id vertex, const std::vector<Id>& edges, const std::vector<std::array<int, 2>>& corners, int made)
+{
+  this->Vertex = vertex;
+  this->MostSharpness = this->Sharp.GetMostSharpness(vertex);
+  this->ReadNeighbourhood(edges);
+  const int steps = std::min(this->CountSteps(), std::max(1, MostStepsOfStars - made));
+  made += steps == 0 ? static_cast<int>(this->HasRelief) : steps;
+  const std::size_t size = this->Keys.Ids.size() + 1;
+  Neighbourhood key = this->Local;
+  key.insert(key.end(), { -1, made, static_cast<int>(edges.size()) });
+  for (const std::array<int, 2>& corner : corners)
+  {
+    key.insert(key.end(), corner.begin(), corner.end());
+  }
+  if (this->Stars.size() > MostSolutions / 16)
+  {
+    this->Stars.clear();
+  }
+  std::vector<double>& star = this->Stars[key];
+  if (star.empty())
+  {
+    star = FindStarRows(FillMatrix(this->Here, this->Local, size), size, corners, made);
+  }
+  std::vector<LimitRow<Id>> rows(edges.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    const auto first = star.begin() + static_cast<std::ptrdiff_t>(i * size);
+    this->Weights.assign(first, first + static_cast<std::ptrdiff_t>(size));
+    this->FinishRow(steps, rows[i]);
+  }
+  return rows;
+}
+
+/// Reads the smooth rows of all items, without members that only the first step reads, and before
+/// these some edges. HasRelief: whether the first step differs, also by what is still sharp at far
+/// ends.
+template <typename Star>
+void LimitRowMaker<Star>::ReadNeighbourhood(const std::vector<Id>& edges)
 {
   this->Keys.Clear();
+  std::for_each(edges.begin(), edges.end(), [this](Id edge) { this->Keys.GetNumber(edge); });
   this->Local.clear();
   this->HasRelief = false;
   const StarRules<Id> rules = this->Here.GetRules();

@@ -72,7 +72,6 @@ private:
   {
     SparseRows<Id> Limits;
     LimitTangents<Id> Tangents;
-    std::vector<std::array<Id, 2>> Shaded;
     // These are empty on the control level:
     Buffer<Id> Columns; ///< the vertices of the level before to which the operators' columns belong
     Stencils<Id> Smooth;
@@ -109,23 +108,20 @@ void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
   trace.Limits = BuildLimitRows(level, creases, vertices);
   if (this->Solids)
   {
-    trace.Tangents =
-      BuildLimitTangents(level, creases, ControlSolids{ piece.Solids, 0, true }, vertices);
+    const ControlSolids solids{ piece.Solids, 0, true };
+    trace.Tangents = BuildLimitTangents(level, creases, solids, vertices);
     for (Id& triangle : trace.Tangents.Triangles)
     {
       triangle = triangle < 0 ? triangle : piece.Cells.Triangles[triangle];
     }
-    const Buffer<unsigned char> rows = trace.Tangents.FindMissing();
-    Buffer<unsigned char> missing(level.Complex.NumberOfVertices, 0);
-    for (Id row = 0; row < static_cast<Id>(rows.size()); ++row)
+    const Buffer<unsigned char> missing = trace.Tangents.FindMissing();
+    Buffer<Id> rows(level.Complex.NumberOfVertices, Id(-1));
+    for (Id row = 0; row < static_cast<Id>(missing.size()); ++row)
     {
-      missing[vertices[row]] = rows[row];
-      if (rows[row])
-      {
-        trace.Shaded.push_back({ { row, vertices[row] } });
-      }
+      rows[vertices[row]] = missing[row] ? row : Id(-1);
     }
-    trace.Tangents.Shading = FindShadingFacets(level, missing, piece.Cells);
+    trace.Tangents.Shading = BuildShadingStars(
+      level, creases, solids, piece.Cells, rows, this->Solids->Steps + static_cast<int>(number));
   }
 }
 
@@ -406,24 +402,13 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     SparseRows<Id>& limits = traces[l].Limits;
     Buffer<unsigned char> isRead(limits.NumberOfColumns, 0);
     LimitTangents<Id>& tangents = traces[l].Tangents;
-    ShadingFacets<Id>& facets = tangents.Shading;
-    const auto forFacets = [&facets](const auto& act)
-    {
-      for (std::vector<Id>* vertices : { &facets.Triangles, &facets.Lines, &facets.Points })
-      {
-        for (Id& vertex : InTurn(*vertices))
-        {
-          vertex < 0 ? void() : act(vertex);
-        }
-      }
-    };
-    forFacets([&isRead](Id vertex) { isRead[vertex] = 1; });
     const bool isLast = l + 1 == traces.size();
     const auto takeRows = [&isRead](const SparseRows<Id>& rows)
     { ForEachInTurn(rows.Columns.size(), [&](vtkIdType k) { isRead[rows.Columns[k]] = 1; }); };
     takeRows(limits);
     takeRows(tangents.First);
     takeRows(tangents.Second);
+    takeRows(tangents.Shading.Rows);
     isLast ? void() : takeRows(steps[l + 1].Rows);
     const Selection<Id> kept(isRead);
     const auto lacks = [&](Id vertex) { return !traces[l].Whole[vertex]; };
@@ -439,14 +424,7 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     renumber(limits);
     renumber(tangents.First);
     renumber(tangents.Second);
-    forFacets([&kept](Id& vertex) { vertex = kept.New[vertex]; });
-    for (const auto& [row, vertex] : traces[l].Shaded)
-    {
-      if (kept.New[vertex] >= 0)
-      {
-        steps[l].Shaded.push_back({ { row, kept.New[vertex] } });
-      }
-    }
+    renumber(tangents.Shading.Rows);
     if (!isLast)
     {
       renumber(steps[l + 1].Rows);

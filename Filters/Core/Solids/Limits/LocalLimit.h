@@ -104,15 +104,11 @@ private:
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
     LimitTangents<Id> Tangents; ///< of the same vertices, from this step's values
-    /// The vertices without sector, by the row and by this step's value.
-    std::vector<std::array<Id, 2>> Shaded;
   };
   template <typename LevelType>
   class Builder;
   class LatticeBuilder;
   std::array<vtkIdType, 2> GetSizesBetween() const;
-  static void AddShading(const Step& step, const double* points,
-    const Buffer<unsigned char>& turned, Buffer<double>& normals);
 
   vtkIdType NumberOfRows = 0;
   vtkIdType NumberOfColumns = 0;

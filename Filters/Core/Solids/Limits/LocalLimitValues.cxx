@@ -117,26 +117,6 @@ vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
   return values;
 }
 
-/// Gives normals for shading to those vertices of a step that have no sector.
-template <typename Id>
-void LocalLimit<Id>::AddShading(const Step& step, const double* points,
-  const Buffer<unsigned char>& turned, Buffer<double>& normals)
-{
-  const vtkIdType size = step.Rows.GetNumberOfRows();
-  Buffer<unsigned char> missing(size, 0);
-  for (const auto& [row, place] : step.Shaded)
-  {
-    missing[place] = 1;
-  }
-  Buffer<double> found(3 * size, 0.);
-  ShadingNormals shading(points, missing, found.data());
-  step.Tangents.Shading.Fill(shading, turned);
-  for (const auto& [row, place] : step.Shaded)
-  {
-    std::copy_n(found.data() + 3 * vtkIdType(place), 3, normals.data() + 3 * vtkIdType(row));
-  }
-}
-
 template <typename Id>
 void LocalLimit<Id>::ComputeNormals(const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned,
@@ -152,8 +132,7 @@ void LocalLimit<Id>::ComputeNormals(const Coordinates& points,
     before = values.data();
     const auto size = static_cast<vtkIdType>(step.Vertices.size());
     Buffer<double> own(3 * size);
-    ComputeSectorNormals(step.Tangents, { before, points.Tie }, inverted, turned, own.data());
-    AddShading(step, before, turned, own);
+    ComputeLimitNormals(step.Tangents, { before, points.Tie }, inverted, turned, own.data());
     ForEach(size, [&](vtkIdType i)
       { std::copy_n(own.data() + 3 * i, 3, normals + 3 * vtkIdType(step.Vertices[i])); });
   }

@@ -50,7 +50,6 @@
  *  - GetTurn(level, solid, triangle): the direction of a face of a solid, seen from outside a
  *    positive solid: 1 if its vertices in this order run counterclockwise, -1 if clockwise. The
  *    solid is named as in FaceTets;
- *  - FindInside(level, solid, face): a vertex of a solid that a face of it does not have;
  *  - ControlTets: made from a level and the number of steps since the control level; Find(solid)
  *    gives the control tetrahedron that a solid is a part of.
  */

@@ -41,14 +41,6 @@ int GetTurnOnTet(const SimplicialComplex<Id>& complex, Id tet, const Id (&triang
   return -GetParity(places);
 }
 
-/// The first of a solid's vertices, from `first` on, that is none of the three of `face`.
-template <typename Id>
-Id FindVertexBeside(const Id* first, int size, const Id* face)
-{
-  return *std::find_if(
-    first, first + (size - 1), [face](Id v) { return std::find(face, face + 3, v) == face + 3; });
-}
-
 }
 
 #endif

@@ -96,13 +96,6 @@ struct TetOctScheme
     }
     return sign * GetParity(axes);
   }
-  static Id FindInside(const Level& level, Id cell, const Id* face)
-  {
-    const Id oct = cell - level.Complex.NumberOfTets;
-    return oct < 0
-      ? FindVertexBeside(level.Complex.TetVertices.data() + 4 * vtkIdType(cell), 4, face)
-      : FindVertexBeside(level.OctVertices.data() + 6 * vtkIdType(oct), 6, face);
-  }
 
   class ControlTets
   {

@@ -3,11 +3,11 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightMasks.h"
-#include "Core/Surfaces/FourEight/FourEightRim.h"
 #include "Core/Surfaces/FourEight/FourEightStar.h"
 #include "Core/Surfaces/FourEight/FourEightTopology.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/CurveTangents.h"
+#include "Core/Surfaces/Scheme/SurfacePatch.h"
 
 #include <cmath>
 #include <limits>
@@ -194,7 +194,7 @@ private:
   void FindTangent(const Wanted& wanted, Entries<Id>& entries)
   {
     const std::size_t k = this->Star.Wedges.size();
-    if (k < 3)
+    if (k < 2)
     {
       return; // no plane
     }
@@ -299,7 +299,7 @@ private:
       each.Vertex = SurfacePatch<Id>::Find(patch->Vertices, each.Vertex);
       each.Corner = patch->FindCorner(whole.Mesh, each.Corner);
     }
-    CloseRim(whole, *patch);
+    this->Scheme.CloseRim(whole, *patch);
     this->Scheme.Prepare(patch->Level);
     return patch;
   }

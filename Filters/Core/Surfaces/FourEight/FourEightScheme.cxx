@@ -6,6 +6,7 @@
 #include "Core/Surfaces/FourEight/FourEightNext.h"
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 #include "Core/Surfaces/FourEight/FourEightRegular.h"
+#include "Core/Surfaces/FourEight/FourEightRim.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
@@ -34,6 +35,10 @@ public:
     return steps > 0 ? corners * std::pow(2., steps - 1) : faces;
   }
   void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
+  void CloseRim(const SurfaceLevel<Id>& whole, SurfacePatch<Id>& patch) const override
+  {
+    subdivision::CloseRim(whole, patch);
+  }
   void Prepare(SurfaceLevel<Id>& level) const override { CountFourEightPlaces(level); }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {

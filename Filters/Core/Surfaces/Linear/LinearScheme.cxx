@@ -13,6 +13,7 @@ template <typename Id>
 class LinearSurfaceScheme : public QuarteringScheme<Id>
 {
 public:
+  bool HasLimitStars() const override { return false; }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 24., 24., 88., 242. }; }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override

@@ -32,6 +32,7 @@ SharpPatch<Id>::SharpPatch(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
           this->Patch.CropTags(whole, stage.Tags.All) } });
     }
   }
+  this->Scheme.CloseRim(whole, this->Patch);
   this->Scheme.Prepare(this->Patch.Level);
 }
 

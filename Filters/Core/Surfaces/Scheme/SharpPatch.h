@@ -49,6 +49,7 @@ public:
   const std::vector<SharpEdge<Id>>& GetSharpEdges() const { return this->Creases.Edges; }
   /// The vertices of the whole level that are vertices of the patch, ascending.
   const std::vector<Id>& GetVertices() const { return this->Patch.Vertices; }
+  const std::vector<Id>& GetFaces() const { return this->Patch.Faces; }
   /// The numbers in the patch of parts of the whole level; -1 for what it does not have.
   Id FindVertex(Id vertex) const { return Patch.Find(this->Patch.Vertices, vertex); }
   Id FindEdge(Id edge) const { return Patch.Find(this->Patch.Edges, edge); }

@@ -203,6 +203,11 @@ void LimitFinder<Id>::SetSmoothMask(LimitKind kind)
     const double angle = 2. * Pi * static_cast<double>(j) / k;
     return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
   };
+  if (m == 2 && this->Quads && kind == LimitKind::Tangent2)
+  {
+    mask.Faces = { 1., -1. }; // the waves of edges and of faces are two tangents then
+    return;
+  }
   const double factor = this->Quads
     ? 1. + std::cos(2. * Pi / k) + std::cos(Pi / k) * std::sqrt(2. * (9. + std::cos(2. * Pi / k)))
     : 1.;

@@ -72,6 +72,8 @@ template <typename Id>
 struct DualPlaces;
 template <typename Id>
 class IrregularRows;
+template <typename Id>
+class SurfacePatch;
 
 template <typename Id>
 struct SurfaceLevel
@@ -221,6 +223,10 @@ public:
   /// Whether the vertices of a level are vertices of the next, with the same ids (dual schemes:
   /// no).
   virtual bool KeepsVertices() const { return true; }
+  /// Whether steps change the directions in which neighbours lie of a vertex that they keep.
+  virtual bool HasLimitStars() const { return this->KeepsVertices(); }
+  /// Makes a patch of a level one that Prepare and Refine take.
+  virtual void CloseRim(const SurfaceLevel<Id>& /*whole*/, SurfacePatch<Id>& /*patch*/) const {}
   /// Whether a smooth boundary vertex with one face is a corner by default.
   virtual bool HasCornersOfOneFace() const { return false; }
   /// Whether it has rules for joints that are blended (Mathematics 6); else they are sharp.

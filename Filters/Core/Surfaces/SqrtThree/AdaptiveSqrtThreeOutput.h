@@ -35,20 +35,6 @@ public:
   /// number.
   Buffer<Id> FindFaces() const;
 
-  /// For each triangle, the value of the control face from which it has its orientation.
-  template <typename Value>
-  Buffer<Value> SpreadToTriangles(const Buffer<Value>& ofControlFaces) const
-  {
-    Buffer<Value> values(this->Triangles);
-    ForEach(this->Mesh.GetNumberOfControlFaces(),
-      [&](vtkIdType f)
-      {
-        Value* first = values.data() + this->Offsets[f];
-        std::fill(first, first + this->Counts[f], ofControlFaces[f]);
-      });
-    return values;
-  }
-
   /// AppendPieces appends the pieces of a control line, from its beginning. `line` is 2 edge + (1
   /// if the line runs against the edge).
   struct Piece
