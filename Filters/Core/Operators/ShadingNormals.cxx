@@ -50,11 +50,22 @@ Vector Subtract(const double a[3], const double b[3])
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
-/// The longest vector; of equally long ones the last in lexicographic order.
-const Vector& FindLongest(const std::vector<Vector>& sorted)
+/// The longest vector; of equally long ones, but for rounding, the last in lexicographic order.
+const Vector& FindLongest(const std::vector<Vector>& vectors)
 {
-  return *std::max_element(sorted.begin(), sorted.end(), [](const Vector& a, const Vector& b)
-    { return std::make_pair(Length(a.data()), a) < std::make_pair(Length(b.data()), b); });
+  constexpr double equal = 1. - 1e-9;
+  const Vector* longest = &vectors.front();
+  double length = 0.;
+  for (const Vector& vector : vectors)
+  {
+    length = std::max(length, Length(vector.data()));
+  }
+  for (const Vector& vector : vectors)
+  {
+    const bool isOther = Length(longest->data()) < equal * length || *longest < vector;
+    longest = Length(vector.data()) >= equal * length && isOther ? &vector : longest;
+  }
+  return *longest;
 }
 
 /// Along the lines at a point.

@@ -89,12 +89,21 @@ void ExpectSameOnLevels(vtkPolyData* input, const std::string& name,
     {
       for (const bool projects : { false, true })
       {
-        const auto normals =
-          GetNormals(RunFilter(input, scheme, levels, projects, configure), size);
+        const auto output = RunFilter(input, scheme, levels, projects,
+          [&](vtkSurfaceSubdivision* filter)
+          {
+            configure ? configure(filter) : void();
+            filter->GenerateLimitNormalsOn();
+          });
+        const auto normals = GetNormals(output, size);
         first = first.empty() ? normals : first;
         for (std::size_t i = 0; i < size; ++i)
         {
-          EXPECT_LT(GetDistance(normals[i], first[i]), 1e-7)
+          // What has one side only may have the other one on another level.
+          const Point& n = first[i];
+          const Point opposite = { -n[0], -n[1], -n[2] };
+          const double turned = name == "moebius" ? GetDistance(normals[i], opposite) : 2.;
+          EXPECT_LT(std::min(GetDistance(normals[i], n), turned), 1e-7)
             << name << ", scheme " << scheme << ", level " << levels << ", point " << i;
         }
       }
@@ -133,7 +142,7 @@ TEST(SurfaceShading, OfVerticesOfTwoFaces)
   }
 }
 
-/// Faces between the same directions: none of them counts twice, and the larger angle counts more.
+/// Normals do not count by the size of faces or by their number, but by angle.
 TEST(SurfaceShading, IsTheMeanOfTheSectorsByAngle)
 {
   Model model;
@@ -142,10 +151,6 @@ TEST(SurfaceShading, IsTheMeanOfTheSectorsByAngle)
   model.Points = { { 0., 0., 0. }, { 1., 0., 0. }, { 0., 3., 0. }, { 0., 0., 2. }, { -x, 0., x } };
   model.Faces = { { 0, 1, 2 }, { 0, 4, 3 } };
   const Point expected = { 0., 1. / std::sqrt(5.), 2. / std::sqrt(5.) };
-  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::LINEAR })
-  {
-    const auto output = RunFilter(MakeInput(model), scheme, 2, true,
-      [](vtkSurfaceSubdivision* filter) { filter->SetType3RuleToSharp(); });
-    EXPECT_LT(GetDistance(GetNormals(output, 1)[0], expected), 1e-9) << scheme;
-  }
+  const auto output = RunFilter(MakeInput(model), vtkSurfaceSubdivision::LINEAR, 2, true);
+  EXPECT_LT(GetDistance(GetNormals(output, 1)[0], expected), 1e-9);
 }

@@ -2,13 +2,13 @@
 #include "Core/Solids/Limits/ShadingStars.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/Limits/LevelStar.h"
 
 #include <array>
-#include <memory>
 #include <utility>
 
 namespace subdivision
@@ -248,46 +248,29 @@ std::vector<LimitRow<typename Scheme::Id>> ShadingBuilder<Scheme>::MakeStar(
 template <typename Scheme>
 void ShadingBuilder<Scheme>::MakeRows(const std::vector<Id>& vertices, int made)
 {
-  using Maker = LimitRowMaker<LevelStar<Scheme>>;
-  std::vector<std::vector<LimitRow<Id>>> stars(vertices.size());
-  vtkSMPThreadLocal<std::shared_ptr<Maker>> makers; // each keeps its solutions
-  const auto makeStars = [&](vtkIdType begin, vtkIdType end)
+  const std::vector<typename Stars::Star>& stars = this->Found.Stars;
+  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
   {
-    auto& maker = makers.Local();
-    if (!maker)
+    LimitRowMaker<LevelStar<Scheme>> maker(this->Here, this->Creases, this->Sharp);
+    vtkIdType star = std::upper_bound(stars.begin(), stars.end(), begin,
+                       [](vtkIdType row, const auto& other) { return row < other.FirstRow; }) -
+      stars.begin() - 1;
+    for (vtkIdType row = begin; row < end; ++star)
     {
-      maker = std::make_shared<Maker>(this->Here, this->Creases, this->Sharp);
-    }
-    for (vtkIdType star = begin; star < end; ++star)
-    {
-      stars[star] = this->MakeStar(*maker, star, vertices[star], made);
+      const std::vector<LimitRow<Id>> own = this->MakeStar(maker, star, vertices[star], made);
+      for (; row < std::min(end, stars[star + 1].FirstRow); ++row)
+      {
+        const LimitRow<Id>& found = own[row - stars[star].FirstRow];
+        for (std::size_t k = 0; k < found.Columns.size(); ++k)
+        {
+          rows.Add(found.Columns[k], found.Weights[k]);
+        }
+        rows.EndRow();
+      }
     }
   };
-  ForRangesOfBlocks(static_cast<vtkIdType>(vertices.size()), makeStars, 64);
-  SparseRows<Id>& rows = this->Found.Rows;
-  rows.NumberOfColumns = this->Complex.NumberOfVertices;
-  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1);
-  vtkIdType row = 0;
-  const auto forRows = [&](const auto& act)
-  {
-    for (const auto& star : InTurn(stars))
-    {
-      std::for_each(star.begin(), star.end(), act);
-    }
-  };
-  forRows(
-    [&](const LimitRow<Id>& own) { rows.Offsets[row++] = static_cast<Id>(own.Columns.size()); });
-  CountsToOffsets(rows.Offsets);
-  rows.Columns = Buffer<Id>(rows.Offsets[row]);
-  rows.Weights = Buffer<double>(rows.Offsets[row]);
-  row = 0;
-  forRows(
-    [&](const LimitRow<Id>& own)
-    {
-      const Id first = rows.Offsets[row++];
-      std::copy(own.Columns.begin(), own.Columns.end(), rows.Columns.begin() + first);
-      std::copy(own.Weights.begin(), own.Weights.end(), rows.Weights.begin() + first);
-    });
+  this->Found.Rows =
+    BlockOperator<Id>(this->Complex.NumberOfVertices, this->NumberOfRows, append).Store();
 }
 
 }
