@@ -284,9 +284,10 @@ public:
    * how far a point of the input is away from its limit, and `ASmoothingDistance` for values; -1 at
    * all other points. All vtkDoubleArray with one component. The bounds hold for the points and
    * values of the output, whether they are projected to the limit or not, but for rounding in
-   * double precision. They are at most 3 times the truth in all that was tried, unless the truth is
-   * rounding, or less than 1/160 of what is first found in tetrahedra (1/640 in triangles, 1/160000
-   * in lines): Mathematics 14.
+   * double precision. They are less than 2.5 times the truth for 999 of 1,000 cells of random
+   * meshes, but 9.1 times was met, and there is no limit where the truth is rounding, or less than
+   * 1/160 of what is first found in tetrahedra (1/640 in triangles, 1/160000 in lines):
+   * Mathematics 14.
    *
    * They are read off a mesh of 3 more levels, which counts for MaximumNumberOfCells and memory:
    * 512 times as many tetrahedra, 64 times as many triangles. Where they are more than 2.5 times

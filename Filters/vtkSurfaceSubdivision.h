@@ -283,9 +283,10 @@ public:
    * values. Point arrays: `SmoothingDistance`, how far a point of the input is away from its limit,
    * and `ASmoothingDistance` for values; -1 at all other points. All vtkDoubleArray with one
    * component. The bounds hold for the points and values of the output, whether they are projected
-   * to the limit or not, but for rounding in double precision. They are at most 3 times the truth
-   * in all that was tried, unless the truth is rounding, or less than 1/640 of what is first found
-   * (1/140000 in lines): Mathematics 14.
+   * to the limit or not, but for rounding in double precision. They are less than 2.5 times the
+   * truth for 999 of 1,000 cells of random meshes, but 9.1 times was met, and there is no limit
+   * where the truth is rounding, or less than 1/640 of what is first found (1/140000 in lines):
+   * Mathematics 14.
    *
    * They are read off a mesh of 3 more levels, 64 times as many faces (SQRT_THREE: 4 more, 81
    * times), which counts for MaximumNumberOfCells and memory. For LOOP, CATMULL_CLARK, SQRT_THREE
