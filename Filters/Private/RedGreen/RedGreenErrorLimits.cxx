@@ -7,7 +7,6 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/Limits/LatticeParts.h"
 #include "Core/Solids/Limits/PatchLimits.h"
-#include "Core/Solids/Limits/SheetLimits.h"
 #include "Core/Solids/Location/CurveOrder.h"
 
 #include <algorithm>
@@ -150,10 +149,6 @@ void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
         if constexpr (std::is_same<std::decay_t<decltype(level)>, Level<Id>>::value)
         {
           this->FindLimitsOnLattice(level, control.data());
-        }
-        else
-        {
-          this->FindLimitsInSheets(level, state, control);
         }
       });
   }
@@ -309,66 +304,6 @@ void RedGreenErrors<Id>::ForPlacesOf(
     }
     act(
       weights, this->AtSites.data() + this->Components * (PlacesOfSite * (item - corners) + place));
-  }
-}
-
-/// Finds the limits that depend on curves and sheets of finer levels alone.
-template <typename Id>
-void RedGreenErrors<Id>::FindLimitsInSheets(
-  const TetOctLevel<Id>& level, const RedGreen<Id>& state, const Buffer<double>& control)
-{
-  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
-  const auto need = [&](Id vertex) { needed[vertex] = this->IsOnCurve(vertex) ? 0 : -1; };
-  std::vector<Id> corners; // those that are not known yet, and the sites
-  for (const Id i : InTurn(static_cast<Id>(this->Corners.size())))
-  {
-    if (this->IsOnCurve(this->Corners[i]) && !this->IsKnown(this->AtVertices, i))
-    {
-      need(this->Corners[i]);
-      corners.push_back(i);
-    }
-  }
-  std::vector<Id> own;
-  for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
-  {
-    const Site& site = this->Sites[i];
-    if (site.Curved >= 0 && site.GetSize() < 4 && !this->IsKnown(i))
-    {
-      own.push_back(i);
-      std::for_each(site.Corners.begin(), site.Corners.begin() + site.GetSize(), need);
-    }
-  }
-  if (corners.empty() && own.empty())
-  {
-    return;
-  }
-  const Numbering numbering = this->NumberVertices(state, std::move(needed));
-  std::vector<LimitSite<Id>> sites(own.size());
-  for (std::size_t i = 0; i < own.size(); ++i)
-  {
-    for (int k = 0; k < this->Sites[own[i]].GetSize(); ++k)
-    {
-      sites[i].Corners[k] = numbering.Numbers[this->Sites[own[i]].Corners[k]];
-    }
-  }
-  Buffer<unsigned char> wanted(
-    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
-  for (const Id corner : corners)
-  {
-    wanted[numbering.Numbers[this->Corners[corner]]] = 1;
-  }
-  const SheetLimits<Id> limits(
-    level, numbering.Midpoints, wanted, sites, control.data(), this->Components, &this->Rows);
-  const vtkIdType size = this->Components;
-  for (const Id corner : corners)
-  {
-    std::copy_n(limits.OfVertices.data() + size * numbering.Numbers[this->Corners[corner]], size,
-      this->AtVertices.data() + size * vtkIdType(corner));
-  }
-  for (std::size_t i = 0; i < own.size(); ++i)
-  {
-    std::copy_n(limits.OfSites.data() + PlacesOfSite * size * static_cast<vtkIdType>(i),
-      PlacesOfSite * size, this->AtSites.data() + PlacesOfSite * size * own[i]);
   }
 }
 

@@ -11,7 +11,6 @@
 #include "Core/Memory/PairTable.h"
 #include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/PatchLimits.h"
-#include "Core/Solids/Limits/SheetLimits.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -157,8 +156,6 @@ private:
   Id GetSimplexOf(vtkIdType item) const;
   template <typename Act>
   void ForPlacesOf(vtkIdType item, const PatchSimplex<Id>& simplex, const Act& act);
-  void FindLimitsInSheets(
-    const TetOctLevel<Id>& level, const RedGreen<Id>& state, const Buffer<double>& control);
   void FindLimitsOnLattice(const Level<Id>& level, const double* control);
   void FindLimitOnLattice(vtkIdType item, Id number, const SimplicialComplex<Id>& complex,
     const double* control, LatticeValues<Id>& values);
