@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Appliers.h
- * Finds what applies blocks to values of given types, for ApplyRows.cxx and ApplyChains.cxx.
+ * Finds what applies blocks to values of given types, for ApplyRows.cxx.
  *
  * `Blocks` is a struct with
  *  - View: the blocks;

@@ -2,7 +2,6 @@
 #include "Core/Operators/ApplyRows.h"
 
 #include "Core/Operators/Appliers.h"
-#include "Core/Operators/ChainOperator.h"
 #include "Core/Operators/PackedArrays.h"
 #include "Core/Operators/RingSums.h"
 
@@ -281,11 +280,6 @@ void ApplyToArrays(
   }
   if (arrays.empty() && !also)
   {
-    return;
-  }
-  if (const auto* chains = dynamic_cast<const ChainOperator*>(&operation))
-  {
-    ApplyChains(*chains, arrays);
     return;
   }
   PackedArrays packed;

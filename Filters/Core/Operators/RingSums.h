@@ -2,8 +2,7 @@
 /**
  * @file RingSums.h
  * Sums the rows of rules and rings: a vertex or edge, and the members of its ring, which share a
- * weight. For ApplyRows.cxx and ApplyChains.cxx: names are not seen elsewhere, without which
- * compilers inline less and polylines take 3 % more instructions.
+ * weight. For ApplyRows.cxx.
  */
 #ifndef SubdivisionObjects_RingSums_h
 #define SubdivisionObjects_RingSums_h

@@ -15,17 +15,11 @@ namespace
 
 constexpr unsigned char TypeOfDimension[4] = { VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_TETRA };
 
-/// Writes the cells of a level after 0, 1 or 2 steps to a storage of the right size; vertices and
-/// lines after any number.
+/// Writes the cells of a level after 0, 1 or 2 steps to a storage of the right size.
 template <typename Id, typename Out>
 void WriteRefined(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
   const CellStorage<Out>& storage, Id centres)
 {
-  if (complex.HasEdgesAlone())
-  {
-    WriteChains(complex, runs, steps, storage);
-    return;
-  }
   switch (steps)
   {
     case 0:

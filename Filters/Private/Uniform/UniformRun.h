@@ -91,10 +91,6 @@ private:
   template <typename Scheme>
   void StepLastInPieces(const typename Scheme::Level& level);
   template <typename Scheme>
-  bool MakesChains(const typename Scheme::Level& level, int step) const;
-  template <typename Scheme>
-  void StepInChains(const typename Scheme::Level& level, int steps);
-  template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level);
   template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level, const typename Scheme::ChildRows& last,

@@ -5,7 +5,6 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Scheme/Chains.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
 
@@ -82,11 +81,6 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     if (this->IsStopped((step + 1.) / (steps + 1.)))
     {
       return false;
-    }
-    if (!keep && this->MakesChains<Scheme>(level, step))
-    {
-      this->StepInChains<Scheme>(level, steps - step);
-      return true;
     }
     if (step + 2 == steps && !stored)
     {
@@ -251,40 +245,6 @@ void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
   this->MakeCells<Scheme>(level, 1, this->Points->GetPoints());
   this->FinishPoints(true);
   this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
-}
-
-/// Whether all steps from this one on are made at once. They are not where operators are blended,
-/// values are divided by weights, the levels between are needed, or only a part of the last one is.
-template <typename Scheme>
-bool UniformRun::MakesChains(const typename Scheme::Level& level, int step) const
-{
-  const int left = this->Options.Levels - step;
-  return !Scheme::Traits.HasPieces && level.Complex.HasEdgesAlone() && left > 1 &&
-    left <= MostStepsOfChains && !this->Options.ReadsLimit() && !this->Points->HasWeights() &&
-    !IsSharpAfter(this->Control.Sharpness, step) && this->Wanted.IsAll() && HasSmallStars(level);
-}
-
-/// The last steps where there is nothing but vertices and edges.
-template <typename Scheme>
-void UniformRun::StepInChains(const typename Scheme::Level& level, int steps)
-{
-  if constexpr (!Scheme::Traits.HasPieces)
-  {
-    this->GatherDerived<Scheme>(level, steps);
-    const Chains<typename Scheme::Id> chains(level, steps);
-    this->Points->Advance(chains,
-      [&](vtkIdType row)
-      {
-        return chains.FindOrigin(
-          row, [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
-      });
-    this->MakeCells<Scheme>(level, steps, nullptr);
-    this->FinishPoints(true);
-    if (this->Options.GenerateClassification)
-    {
-      this->AddClassification(chains.GetStrata(), Buffer<Stratum>());
-    }
-  }
 }
 
 /// The last two steps without the level between them. Of the last one only what the output needs is

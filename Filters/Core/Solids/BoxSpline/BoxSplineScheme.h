@@ -46,9 +46,8 @@ struct BoxSplineScheme
   static void WriteChildren(const Level& level, const std::vector<CellRun>& runs, int steps,
     const T* points, const CellStorage<Out>& out)
   {
-    level.Complex.HasEdgesAlone() ? WriteChains(level.Complex, runs, steps, out)
-      : steps == 1                ? subdivision::WriteChildren(level.Complex, runs, out, 3, points)
-                                  : WriteGrandchildren(level.Complex, runs, out, 3, Id(0), points);
+    steps == 1 ? subdivision::WriteChildren(level.Complex, runs, out, 3, points)
+               : WriteGrandchildren(level.Complex, runs, out, 3, Id(0), points);
   }
   static bool HasCells(
     const Level& level, const std::vector<CellRun>& runs, const SimplexList& cells)

@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/BoxSpline/SignOfChildren.h"
-#include "Core/Solids/Scheme/Chains.h"
 #include "Core/Solids/Scheme/EqualSimplices.h"
 
 #include "vtkCellType.h"
@@ -140,47 +139,6 @@ void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, 
     }
   }
 }
-
-/// Writes the lines that lines become after some steps.
-template <typename Id, typename Out>
-class ChainWriter
-{
-public:
-  ChainWriter(const SimplicialComplex<Id>& complex, int steps)
-    : Complex(complex)
-    , Size(vtkIdType(1) << steps)
-  {
-    const ChainPoints points(complex.NumberOfVertices, complex.NumberOfEdges, steps);
-    for (vtkIdType place = 1; place < this->Size; ++place)
-    {
-      this->Firsts.push_back(points.GetFirstAt(place));
-      this->Factors.push_back(points.GetFactor(place));
-    }
-  }
-  /// Those of the line at `index` of the list that its run is in.
-  void Write(const CellRun& run, vtkIdType index, Out* lines) const
-  {
-    const SimplicialComplex<Id>& complex = this->Complex;
-    const vtkIdType edge = run.Equal ? vtkIdType(complex.EqualLines.Twins[index]) : index;
-    const Id* ends =
-      (run.Equal ? complex.EqualLines.Vertices : complex.EdgeVertices).data() + 2 * index;
-    const bool isTurned = ends[0] != complex.EdgeVertices[2 * edge];
-    lines[0] = static_cast<Out>(ends[0]);
-    for (vtkIdType place = 1; place < this->Size; ++place)
-    {
-      const vtkIdType at = (isTurned ? this->Size - place : place) - 1;
-      lines[2 * place - 1] = lines[2 * place] =
-        static_cast<Out>(this->Firsts[at] + this->Factors[at] * edge);
-    }
-    lines[2 * this->Size - 1] = static_cast<Out>(ends[1]);
-  }
-
-private:
-  const SimplicialComplex<Id>& Complex;
-  const vtkIdType Size; ///< number of lines that a line becomes
-  std::vector<vtkIdType> Firsts;
-  std::vector<vtkIdType> Factors;
-};
 
 constexpr int VertexChildren[1][1] = { { 0 } };
 constexpr int LineChildren[2][2] = { { 0, 2 }, { 2, 1 } };
@@ -365,32 +323,6 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
   }
 }
 
-template <typename Id, typename Out>
-void WriteChains(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& out)
-{
-  const std::vector<CellRun> descendants = RefineRuns(runs, steps);
-  const CellCounts counts = CountCells(descendants);
-  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
-  const ChainWriter<Id, Out> writer(complex, steps);
-  for (std::size_t r = 0; r < runs.size(); ++r)
-  {
-    const CellRun& run = runs[r];
-    WriteLayout(descendants[r], out);
-    Out* connectivity = out.Connectivity + descendants[r].FirstEntry;
-    ForEach(run.Count,
-      [&](vtkIdType i)
-      {
-        if (run.Dimension == 0)
-        {
-          connectivity[i] = static_cast<Out>(complex.VertexCells[run.First + i]);
-          return;
-        }
-        writer.Write(run, run.First + i, connectivity + (i << (steps + 1)));
-      });
-  }
-}
-
 template <typename Id>
 bool HasCells(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, const SimplexList& cells)
@@ -420,6 +352,5 @@ SUBDIVISION_COMPILE_FUNCTION(HasCells);
 SUBDIVISION_COMPILE_WRITER(WriteCells);
 SUBDIVISION_COMPILE_WRITER(WriteChildren);
 SUBDIVISION_COMPILE_WRITER(WriteGrandchildren);
-SUBDIVISION_COMPILE_WRITER(WriteChains);
 
 }

@@ -71,12 +71,6 @@ template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3, Id centres = 0, const StoredPoints& points = {});
 
-/// Writes what the cells of a level become after some steps, where all are vertices and lines
-/// (Chains.h).
-template <typename Id, typename Out>
-void WriteChains(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& out);
-
 /// Whether `cells` are the cells of a level.
 template <typename Id>
 bool HasCells(
