@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plain memory and plain loops: Buffer, GrowingBuffer, Rows, ForEach, ForRanges, CountsToOffsets,
-// ForNumbered.
-#include "Core/Memory/ForNumbered.h"
+// Plain memory and plain loops: Buffer, GrowingBuffer, Rows, ForEach, ForRanges, CountsToOffsets.
 #include "Core/Memory/GrowingBuffer.h"
 
 #include "vtkSMPTools.h"
@@ -334,33 +332,4 @@ TEST(CoreGrowingBuffer, CopyHasNoRoomForMore)
   list.push_back(9);
   EXPECT_EQ(list[3], 9);
   EXPECT_EQ(list.size(), 4);
-}
-
-/// One thread does not count first, several do.
-TEST(CoreForNumbered, NumbersWhatIsFoundInOrder)
-{
-  const auto countAt = [](vtkIdType i) { return static_cast<int>(i % 7 == 3 ? 0 : i % 5); };
-  for (const int threads : { 1, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    for (const vtkIdType size : LoopSizes)
-    {
-      SCOPED_TRACE(std::to_string(size) + ", " + std::to_string(threads) + " threads");
-      Buffer<int> before(size, -1);
-      ForNumbered<int>(
-        size, [&](vtkIdType i, int& number) { number += countAt(i); },
-        [&](vtkIdType i, int& number)
-        {
-          before[i] = number;
-          number += countAt(i);
-        });
-      int number = 0;
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        ASSERT_EQ(before[i], number) << i;
-        number += countAt(i);
-      }
-    }
-  }
-  vtkSMPTools::Initialize(0);
 }

@@ -56,35 +56,6 @@ std::set<vtkIdType> GetParents(const SurfaceSteps<int>& steps, int step, vtkIdTy
   return { parents.begin(), parents.end() };
 }
 
-/// Whether all faces have twins, which run the other way.
-bool IsOriented(const SurfaceLevel<int>& level)
-{
-  const PolygonMesh<int>& mesh = level.Mesh;
-  int corners = 0;
-  return std::all_of(mesh.Twins.begin(), mesh.Twins.end(),
-    [&](int twin) { return twin >= 0 && mesh.Vertices[twin] != mesh.Vertices[corners++]; });
-}
-bool IsSmooth(const SurfaceLevel<int>& level)
-{
-  return std::all_of(level.Tags.Edges.begin(), level.Tags.Edges.end(),
-           [](EdgeTag tag) { return tag == EdgeTag::Smooth; }) &&
-    std::all_of(level.Tags.Vertices.begin(), level.Tags.Vertices.end(),
-      [](VertexTag tag) { return tag == VertexTag::Smooth; });
-}
-/// Whether each vertex has one fan, of three or more faces.
-bool HasWholeFans(const SurfaceLevel<int>& level)
-{
-  bool areWhole = level.Lines.empty();
-  for (int v = 0; v < level.Mesh.NumberOfVertices && areWhole; ++v)
-  {
-    int faces = 0;
-    areWhole = level.Mesh.VertexCorners[v] >= 0 &&
-      VisitFan(level.Mesh, level.Mesh.VertexCorners[v], [&](const FanStep<int>&) { ++faces; }) &&
-      faces > 2;
-  }
-  return areWhole;
-}
-
 bool IsLeftOut(const SurfaceLevel<int>& level)
 {
   return level.Mesh.Twins.empty() && level.Mesh.NumberOfFaces > 0;
@@ -99,47 +70,17 @@ int CountLeftOut(const SurfaceSteps<int>& steps)
   return count;
 }
 
-/// Whether levels after this one may be skipped.
-bool MaySkip(const SurfaceLevel<int>& level, SurfaceSchemeKind kind)
+/// Whether the scheme skips the last level but one of this surface.
+bool MaySkip(const SurfaceLevel<int>& control, SurfaceSchemeKind kind)
 {
-  switch (kind)
-  {
-    case SurfaceSchemeKind::Loop:
-    case SurfaceSchemeKind::ModifiedButterfly:
-      return true;
-    case SurfaceSchemeKind::CatmullClark:
-      return level.Mesh.Arity == 4;
-    case SurfaceSchemeKind::FourEight:
-    case SurfaceSchemeKind::SqrtThree:
-      return IsSmooth(level) && IsOriented(level);
-    case SurfaceSchemeKind::DooSabin:
-    case SurfaceSchemeKind::Midedge:
-      return HasWholeFans(level) && IsOriented(level);
-    default:
-      return false;
-  }
-}
-bool MaySkipThree(SurfaceSchemeKind kind)
-{
-  return kind == SurfaceSchemeKind::FourEight || kind == SurfaceSchemeKind::Midedge;
+  return kind == SurfaceSchemeKind::Loop ||
+    (kind == SurfaceSchemeKind::CatmullClark && control.Mesh.Arity == 4);
 }
 /// How many levels are to be skipped.
 int CountSkipped(const SurfaceSteps<int>& steps, SurfaceSchemeKind kind)
 {
   const int count = steps.GetNumberOfSteps();
-  if (MaySkipThree(kind) && count >= 4)
-  {
-    const SurfaceLevel<int>& level = steps.GetLevel(count - 4);
-    const bool isRight = kind == SurfaceSchemeKind::Midedge || level.Mesh.Arity == 4;
-    if (isRight && MaySkip(level, kind))
-    {
-      return 3;
-    }
-  }
-  return count >= 2 && !IsLeftOut(steps.GetLevel(count - 2)) &&
-      MaySkip(steps.GetLevel(count - 2), kind)
-    ? 1
-    : 0;
+  return count >= 2 && MaySkip(steps.GetLevel(count - 2), kind) ? 1 : 0;
 }
 
 template <typename T>
@@ -358,35 +299,6 @@ void ExpectSameOutputs(const vtkSmartPointer<vtkPolyData>& input, int scheme)
   ExpectSameBits(whole, RunFilter(RunFilter(input, scheme, 3), scheme, 1));
 }
 
-/// Where nothing is irregular, a level follows from those before it in less time.
-void ExpectSameWithoutLevelsBefore(SurfaceSchemeKind kind, bool triangles)
-{
-  for (unsigned seed = 0; seed < 12; ++seed)
-  {
-    Walk walk(MakeTorus(seed, triangles), kind);
-    Walk control(MakeTorus(seed, triangles), kind);
-    const SurfaceSteps<int> steps(std::move(control.Level), control.Scheme, 6, false, nullptr);
-    for (int step = 0; step < 6; ++step, walk.Step())
-    {
-      SCOPED_TRACE(std::to_string(seed) + ", step " + std::to_string(step));
-      const SurfaceLevel<int>& level = steps.GetLevel(step);
-      EXPECT_EQ(level.Before != nullptr,
-        kind == SurfaceSchemeKind::FourEight && step > 0 && IsOriented(walk.Level));
-      if (!IsLeftOut(level))
-      {
-        ExpectEqual(level.Mesh.Vertices, walk.Level.Mesh.Vertices);
-        ExpectEqual(level.Mesh.Twins, walk.Level.Mesh.Twins);
-        ExpectEqual(level.Mesh.VertexCorners, walk.Level.Mesh.VertexCorners);
-      }
-      const SparseRows<int> rows = steps.GetStep(step).Store();
-      const RowBlock<int> expected = walk.GetRows();
-      ASSERT_EQ(rows.Columns.size(), static_cast<vtkIdType>(expected.GetNumberOfEntries()));
-      EXPECT_TRUE(std::equal(rows.Columns.begin(), rows.Columns.end(), expected.GetColumns()));
-      EXPECT_TRUE(std::equal(rows.Weights.begin(), rows.Weights.end(), expected.GetWeights()));
-    }
-  }
-}
-
 }
 
 TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
@@ -427,8 +339,7 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnRandomSurfaces)
     }
   }
   EXPECT_EQ(skipped > 40,
-    GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::ModifiedButterfly ||
-      GetParam() == SurfaceSchemeKind::CatmullClark);
+    GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::CatmullClark);
 }
 
 TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
@@ -436,10 +347,9 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
   const WithSkippedLevels skipping;
   const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
   int skipped = 0;
-  int threes = 0;
   for (unsigned seed = 0; seed < 40; ++seed)
   {
-    const int count = 2 + static_cast<int>(seed / 4) % (MaySkipThree(GetParam()) ? 5 : 2);
+    const int count = 2 + static_cast<int>(seed / 4) % 2;
     SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(count) + " steps");
     Walk first(MakeTorus(seed, triangles), GetParam());
     Walk second(MakeTorus(seed, triangles), GetParam());
@@ -447,11 +357,10 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
     const SurfaceSteps<int> full(std::move(second.Level), second.Scheme, count, true, nullptr);
     EXPECT_EQ(CountLeftOut(brief), CountSkipped(brief, GetParam()));
     skipped += CountLeftOut(brief) > 0;
-    threes += CountLeftOut(brief) == 3;
     ExpectSameSteps(brief, full);
   }
-  EXPECT_EQ(skipped >= 20, GetParam() != SurfaceSchemeKind::Linear);
-  EXPECT_EQ(threes >= 13, MaySkipThree(GetParam()));
+  EXPECT_EQ(skipped >= 20,
+    GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::CatmullClark);
 }
 
 /// What a level knows of the step that made it saves walks, and changes nothing.
@@ -485,32 +394,15 @@ TEST_P(SurfaceLastStep, IsTheSameAsWithoutTheLevelBefore)
   }
 }
 
-TEST(SurfaceLevels, AreTheSameAsWithoutTheLevelsBefore)
-{
-  ExpectSameWithoutLevelsBefore(SurfaceSchemeKind::FourEight, false);
-  ExpectSameWithoutLevelsBefore(SurfaceSchemeKind::SqrtThree, true);
-}
-
 /// Also arrays that are gathered, and after other levels by another filter.
 TEST(SurfaceSkippedLevel, OutputsAreThoseOfWholeLevels)
 {
-  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::MODIFIED_BUTTERFLY,
-         vtkSurfaceSubdivision::CATMULL_CLARK })
+  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK })
   {
     ExpectSameOutputs(AddArrays(MakeInput(MakeSheet(5, 4,
                         scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1, 0, 0 }, { 0, 1, 1 }))),
       scheme);
   }
-}
-
-TEST(SurfaceSkippedLevel, OutputsOfClosedSurfacesAreThoseOfWholeLevels)
-{
-  for (const int scheme : { vtkSurfaceSubdivision::FOUR_EIGHT, vtkSurfaceSubdivision::MIDEDGE,
-         vtkSurfaceSubdivision::DOO_SABIN })
-  {
-    ExpectSameOutputs(AddArrays(MakeInput(MakeTorus(1, false))), scheme);
-  }
-  ExpectSameOutputs(AddArrays(MakeInput(MakeTorus(1, true))), vtkSurfaceSubdivision::SQRT_THREE);
 }
 
 /// Where nothing is kept for the next update, and no cell shows data, levels go before the last

@@ -4,7 +4,6 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 #include "Core/Surfaces/Butterfly/ButterflyRegular.h"
-#include "Core/Surfaces/Butterfly/ButterflyRowsOfNext.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
@@ -35,10 +34,6 @@ template <typename Id>
 class ButterflyScheme : public QuarteringScheme<Id>
 {
 public:
-  ButterflyScheme()
-    : QuarteringScheme<Id>(AppendButterflyRowsOfNext<Id>)
-  {
-  }
   bool HasCornersOfOneFace() const override { return true; }
   DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 90., 120. }; }

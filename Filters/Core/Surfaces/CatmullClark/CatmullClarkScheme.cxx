@@ -24,8 +24,7 @@ class CatmullClarkScheme : public SurfaceScheme<Id>
 public:
   explicit CatmullClarkScheme(bool modifiedBoundary)
     : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>& level) { return level.Mesh.Arity == 4; },
-        AppendCatmullClarkRowsOfNext<Id>, GetCatmullClarkParentsOfNext<Id>, WriteQuadsOfNext<Id>,
-        nullptr })
+        AppendCatmullClarkRowsOfNext<Id>, GetCatmullClarkParentsOfNext<Id>, WriteQuadsOfNext<Id> })
     , ModifiedBoundary(modifiedBoundary)
   {
   }

@@ -2,7 +2,6 @@
 #include "Core/Surfaces/Dual/DooSabinScheme.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Surfaces/Dual/DooSabinNext.h"
 #include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
@@ -38,10 +37,6 @@ template <typename Id>
 class DooSabinScheme : public SurfaceScheme<Id>
 {
 public:
-  DooSabinScheme()
-    : SurfaceScheme<Id>(MakeDooSabinStepOfNext<Id>())
-  {
-  }
   bool NeedsTriangles() const override { return false; }
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }

@@ -5,7 +5,6 @@
 #include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
-#include "Core/Surfaces/Dual/MidedgeNext.h"
 
 #include <algorithm>
 #include <array>
@@ -42,15 +41,11 @@ template <typename Id>
 class MidedgeScheme : public SurfaceScheme<Id>
 {
 public:
-  MidedgeScheme()
-    : SurfaceScheme<Id>(MakeMidedgeStepOfNext<Id>())
-  {
-  }
   bool NeedsTriangles() const override { return false; }
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }
   bool HalvesEdges() const override { return false; }
-  FaceMemory GetFaceMemory() const override { return { 40., 1., 22., 118., 215., 290. }; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 34., 118., 215., 290. }; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(2., steps - 2) : faces;

@@ -37,13 +37,9 @@ public:
       out.CornerFaces = Buffer<Id>(isLast ? 0 : corners);
       this->SetOffsets(out);
     }
-    const bool isRegular = this->Level.Before && !isLast && !hasEdges;
     if (depth != Depth::ForCounts)
     {
       out.Vertices = Buffer<Id>(corners);
-    }
-    if (depth != Depth::ForCounts && !isRegular)
-    {
       this->WriteFaces(out.Vertices.data());
     }
     out.EdgesNotStored = hasEdges ? 0 : edges;
@@ -63,11 +59,7 @@ public:
       out.Twins = Buffer<Id>(corners);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
     }
-    if (isRegular)
-    {
-      this->SetRegular(out);
-    }
-    else if (!isLast)
+    if (!isLast)
     {
       ForEach(
         this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->SetInside(static_cast<Id>(f), out); });
@@ -132,39 +124,6 @@ private:
       });
     out.FaceOffsets[out.NumberOfFaces] = this->Children.GetNumberOfCorners();
   }
-
-  /// Sets all of a level but its counts, from one without irregular vertices and with quads only,
-  /// where edges are not stored.
-  void SetRegular(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id first = static_cast<Id>(4 * f);
-        const Id apex = this->Children.GetApex(static_cast<Id>(f));
-        Id spokes[4]; // to the vertex of each corner
-        for (Id k = 0; k < 4; ++k)
-        {
-          spokes[k] = this->Children.GetSpokeOut(first + k);
-        }
-        for (Id k = 0; k < 4; ++k)
-        {
-          const Id spoke = spokes[k];
-          const Id twin = spokes[(k + 3) % 4] - 1;
-          out.Vertices[spoke] = apex;
-          out.Vertices[out.Next(spoke)] = this->Mesh.Vertices[first + k];
-          out.Twins[spoke] = twin;
-          out.Twins[twin] = spoke;
-        }
-        out.VertexCorners[apex] = spokes[0];
-      });
-    ForEach(this->Mesh.NumberOfVertices,
-      [&](vtkIdType v)
-      {
-        out.VertexCorners[v] = out.Next(this->Children.GetSpokeOut(this->Mesh.VertexCorners[v]));
-      });
-  }
-
   void SetFreeEdges(PolygonMesh<Id>& out) const
   {
     ForEach(this->Mesh.EdgeCorners.size(),

@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/FourEight/FourEightLimits.h"
-#include "Core/Surfaces/FourEight/FourEightNext.h"
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 #include "Core/Surfaces/FourEight/FourEightRegular.h"
 #include "Core/Surfaces/FourEight/FourEightRim.h"
@@ -21,10 +20,6 @@ template <typename Id>
 class FourEightScheme : public SurfaceScheme<Id>
 {
 public:
-  FourEightScheme()
-    : SurfaceScheme<Id>(MakeFourEightStepOfNext<Id>())
-  {
-  }
   bool NeedsTriangles() const override { return false; }
   bool HalvesEdges() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
@@ -151,11 +146,7 @@ void FourEightScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
     end,
     [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      if (kind == 0 && level.Before)
-      {
-        AppendFourEightVertices(*level.Before, first, last, rows);
-      }
-      else if (kind == 0)
+      if (kind == 0)
       {
         AppendVertices(topology, tags, first, last, rows);
       }

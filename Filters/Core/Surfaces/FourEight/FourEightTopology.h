@@ -149,15 +149,6 @@ public:
     const bool isFirst = this->Mesh.Vertices[owner] == vertex;
     return this->GetStart(owner) + (corner == owner ? (isFirst ? 3 : 2) : (isFirst ? 0 : 1));
   }
-  /// The same at the vertex of the corner itself, where no vertex is irregular
-  /// (FindIrregularVertices): it begins at the apex. In the child the half-edge after it begins at
-  /// the vertex, and the one before it ends at the apex.
-  Id GetSpokeOut(Id corner) const
-  {
-    const Id twin = this->Mesh.Twins[corner];
-    return corner < twin ? 4 * this->ChildrenBefore[corner] + 3
-                         : 4 * this->ChildrenBefore[twin] + 1;
-  }
   /// In even steps: half of a fixed edge, in the face of one of its corners.
   Id GetHalf(Id cut, Id vertex) const
   {

@@ -196,7 +196,7 @@ public:
   /// `appendRowsOfNext`: StepOfNext::AppendRows.
   explicit QuarteringScheme(decltype(StepOfNext<Id>::AppendRows) appendRowsOfNext)
     : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>&) { return true; }, std::move(appendRowsOfNext),
-        GetParentsOfTrianglesOfNext<Id>, WriteTrianglesOfNext<Id>, nullptr })
+        GetParentsOfTrianglesOfNext<Id>, WriteTrianglesOfNext<Id> })
   {
   }
   bool NeedsTriangles() const override { return true; }

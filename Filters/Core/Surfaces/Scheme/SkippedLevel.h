@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SkippedLevel.h
- * The last steps of a surface, from levels that are not made.
+ * The last step of a surface, from a level that is not made.
  *
  * After a step that halves edges, what most vertices and edges have around them follows from the
  * level before that step by arithmetic: a scheme makes their rows so (StepOfNext). Others are
  * those at curves, corners and joints, and at edges that both faces have in the same direction. The
  * part around these is refined as a level of its own, by the step of all levels, and its rows are
- * taken. So all rows have the same entries in the same order as if the level had been made. Schemes
- * that count children (StepOfNext::Count) skip a level only where there are no others. Of these
- * some skip three (StepsOfLater): levels that only double in each step cost as much before the last
- * one as that does.
+ * taken. So all rows have the same entries in the same order as if the level had been made.
  */
 #ifndef SubdivisionObjects_SkippedLevel_h
 #define SubdivisionObjects_SkippedLevel_h
@@ -47,22 +44,6 @@ bool AreAll(vtkIdType size, const IsTrue& isTrue)
       }
     });
   return areAll;
-}
-
-/// Writes the vertices of a face.
-template <typename Out, typename... Ids>
-void WriteFace(Out* to, Ids... vertices)
-{
-  ((*to++ = static_cast<Out>(vertices)), ...);
-}
-
-/// The columns of a row that append(rows) appends: what GetParents of a step gives.
-template <typename Id, typename Append>
-void ListColumns(const Append& append, std::vector<vtkIdType>& columns)
-{
-  RowBlock<Id> rows;
-  append(rows);
-  columns.assign(rows.GetColumns(), rows.GetColumns() + rows.GetNumberOfEntries());
 }
 
 /// The vertices of a level at which rows of the step from the next level may be irregular,

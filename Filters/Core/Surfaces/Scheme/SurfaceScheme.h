@@ -94,13 +94,9 @@ struct SurfaceLevel
   /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
   /// is not known.
   vtkIdType FirstMade = -1;
-  /// In 4-8: the level from which a step made this one, if it is still there, and if no vertex of
-  /// the control level is irregular (FindIrregularVertices). Otherwise nullptr.
-  const SurfaceLevel* Before = nullptr;
   /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
   /// is not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
-  Buffer<Id> Later;                           ///< what StepsOfLater::Prepare makes
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
   /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
   /// negative if this is a chain, UnknownFan where it takes a walk.
@@ -168,24 +164,6 @@ struct FaceMemory
 /// Where ids are written, of either type.
 using IdsOut = std::variant<int*, long long*>;
 
-/// The steps from levels after the next one, where the next three levels are not made: all follows
-/// from the level before these. `ahead`: that many steps later, 2 or 3. Only in schemes whose
-/// levels count children, as StepOfNext::Count.
-template <typename Id>
-struct StepsOfLater
-{
-  /// Sets SurfaceLevel::Later. Empty: there are no such steps.
-  std::function<void(SurfaceLevel<Id>& level)> Prepare;
-  std::function<void(
-    const SurfaceLevel<Id>& level, int ahead, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)>
-    AppendRows;
-  std::function<void(
-    const SurfaceLevel<Id>& level, int ahead, vtkIdType row, std::vector<vtkIdType>& parents)>
-    GetParents;
-  /// Of the level four steps later.
-  std::function<void(const SurfaceLevel<Id>& level, IdsOut ids)> WriteFaces;
-};
-
 /// The step from the next level where that level is not made (SkippedLevel.h). The functions do for
 /// the next level, from this one, what methods of SurfaceScheme with the same names do for a level.
 template <typename Id>
@@ -200,14 +178,6 @@ struct StepOfNext
   std::function<void(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)>
     GetParents;
   std::function<void(const SurfaceLevel<Id>& level, IdsOut ids)> WriteFaces;
-  /// Only where ids of children follow from running counts, and not from arithmetic alone: the
-  /// counts of the level after one that was skipped, which has no more than its counts. Then a
-  /// level is skipped only if no vertex is irregular, and it is made after all where somebody asks
-  /// for CarryFaces or ListChildren. Otherwise Refine and these two need no more of it.
-  std::function<SurfaceLevel<Id>(const SurfaceLevel<Id>& skipped)> Count;
-  StepsOfLater<Id> Later = {};
-  /// Whether steps read SurfaceLevel::Before, so that no level before them may go.
-  bool ReadsBefore = false;
 };
 
 template <typename Id>

@@ -9,7 +9,6 @@
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
-#include "Core/Surfaces/SqrtThree/SqrtThreeNext.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
 #include <algorithm>
@@ -25,10 +24,6 @@ template <typename Id>
 class SqrtThreeScheme : public SurfaceScheme<Id>
 {
 public:
-  SqrtThreeScheme()
-    : SurfaceScheme<Id>(MakeSqrtThreeStepOfNext<Id>())
-  {
-  }
   bool NeedsTriangles() const override { return true; }
   bool HalvesEdges() const override { return false; }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 8., 38., 108., 132. }; }

@@ -79,19 +79,14 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::copy(given.Edges.begin(), given.Edges.end(), this->GivenEdges.begin());
   std::copy(given.Vertices.begin(), given.Vertices.end(), this->GivenVertices.begin());
   this->Scheme->RestrictTags(this->Levels[0]);
-  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
-  // Then no level has irregular vertices.
-  const bool isRegular = steps > 1 && ofNext.Count && this->Scheme->UsesTags() &&
-    FindIrregularVertices(this->Levels[0]).empty();
   const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
     SurfaceLevel<Id>& level = this->Levels.back();
-    const bool isSkipped = this->StartsFromSkipped(step);
-    if (!isSkipped)
+    if (!this->StartsFromSkipped(step))
     {
       this->Scheme->Prepare(level);
-      this->ChooseSkipped(step, steps, isRegular);
+      this->ChooseSkipped(step, steps);
     }
     const bool isLast = step + 1 == steps;
     const Depth depth = lastIsWhole                                       ? Depth::ForRefinement
@@ -99,9 +94,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
       : step + 2 < steps                                                  ? Depth::ForSteps
       : isLast                                                            ? Depth::ForOutput
                                                                           : Depth::ForLastStep;
-    this->Levels.push_back(
-      isSkipped && ofNext.Count ? ofNext.Count(level) : this->Scheme->Refine(level, depth));
-    this->Levels.back().Before = isRegular && ofNext.ReadsBefore ? &this->Levels[step] : nullptr;
+    this->Levels.push_back(this->Scheme->Refine(level, depth));
   }
   if (lastIsWhole)
   {
@@ -109,31 +102,19 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   }
 }
 
-/// Decides whether all levels after that of a step are skipped, but for the last one.
+/// Decides whether the level after that of a step is skipped, if it is the last one but one.
 template <typename Id>
-void SurfaceSteps<Id>::ChooseSkipped(int step, int steps, bool isRegular)
+void SurfaceSteps<Id>::ChooseSkipped(int step, int steps)
 {
-  SurfaceLevel<Id>& level = this->Levels[step];
+  const SurfaceLevel<Id>& level = this->Levels[step];
   const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
-  const int skipped = steps - 1 - step;
-  const bool isLater = skipped == 3 && ofNext.Later.Prepare;
-  if (this->LastIsWhole || !(skipped == 1 || isLater) || !ofNext.Skips || !ofNext.Skips(level))
+  if (this->LastIsWhole || step + 2 != steps || !ofNext.Skips || !ofNext.Skips(level))
   {
     return;
   }
-  this->Irregular =
-    this->Scheme->UsesTags() && !isRegular ? FindIrregularVertices(level) : std::vector<Id>();
-  const double most = std::min(MostIrregularVertices, ofNext.Count ? 0. : 1.);
-  if (static_cast<double>(this->Irregular.size()) >
-    most * static_cast<double>(level.Mesh.NumberOfVertices))
-  {
-    return;
-  }
-  if (isLater)
-  {
-    ofNext.Later.Prepare(level);
-  }
-  if (!isLater || !level.Later.empty())
+  this->Irregular = FindIrregularVertices(level);
+  if (static_cast<double>(this->Irregular.size()) <=
+    MostIrregularVertices * static_cast<double>(level.Mesh.NumberOfVertices))
   {
     this->LastMade = step;
   }
@@ -152,17 +133,9 @@ void SurfaceSteps<Id>::WriteFaces(int level, IdsOut ids) const
   const Buffer<Id>& vertices = this->Levels[level].Mesh.Vertices;
   if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
   {
-    const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
-    switch (this->GetAhead(level - 1))
-    {
-      case 1:
-        return ofNext.WriteFaces(this->Levels[this->LastMade], ids);
-      case 3:
-        return ofNext.Later.WriteFaces(this->Levels[this->LastMade], ids);
-      default:
-        return this->ForChildren(level - 1, level,
-          [&](int, const SurfaceLevel<Id>& before) { this->Scheme->WriteFaces(before, ids); });
-    }
+    return this->StartsFromSkipped(level - 1)
+      ? this->Scheme->GetStepOfNext().WriteFaces(this->Levels[this->LastMade], ids)
+      : this->Scheme->WriteFaces(this->Levels[level - 1], ids);
   }
   std::visit([&vertices](auto* to) { CopyIds(vertices, to); }, ids);
 }
@@ -174,34 +147,7 @@ void SurfaceSteps<Id>::GetParents(int step, vtkIdType row, std::vector<vtkIdType
   {
     return this->Scheme->GetParents(this->Levels[step], row, parents);
   }
-  const SurfaceLevel<Id>& level = this->Levels[this->LastMade];
-  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
-  const int ahead = this->GetAhead(step);
-  ahead == 1 ? ofNext.GetParents(level, row, parents)
-             : ofNext.Later.GetParents(level, ahead, row, parents);
-}
-
-template <typename Id>
-template <typename Act>
-void SurfaceSteps<Id>::ForChildren(int first, int last, const Act& act) const
-{
-  SurfaceLevel<Id> again;
-  int made = this->LastMade;
-  for (int step = first; step < last; ++step)
-  {
-    if (!this->StartsFromSkipped(step) || !this->Scheme->GetStepOfNext().Count)
-    {
-      act(step, this->Levels[step]);
-      continue;
-    }
-    for (; made < step; ++made)
-    {
-      again =
-        this->Scheme->Refine(made == this->LastMade ? this->Levels[made] : again, Depth::ForSteps);
-      this->Scheme->Prepare(again);
-    }
-    act(step, again);
-  }
+  this->Scheme->GetStepOfNext().GetParents(this->Levels[this->LastMade], row, parents);
 }
 
 template <typename Id>
@@ -209,14 +155,13 @@ Buffer<Carrier<Id>> SurfaceSteps<Id>::FindCarriers(int first, int last) const
 {
   const int period = this->Scheme->GetCarrierPeriod();
   auto carriers = MakeCarriers<Id>(this->Levels[first].Mesh.NumberOfFaces);
-  this->ForChildren(first, last,
-    [&](int step, const SurfaceLevel<Id>& level)
-    {
-      const bool areWhole = period > 0 && (step - first) % period == 0;
-      Buffer<Carrier<Id>> children;
-      this->Scheme->CarryFaces(level, carriers, areWhole, children);
-      carriers = std::move(children);
-    });
+  for (int step = first; step < last; ++step)
+  {
+    const bool areWhole = period > 0 && (step - first) % period == 0;
+    Buffer<Carrier<Id>> children;
+    this->Scheme->CarryFaces(this->Levels[step], carriers, areWhole, children);
+    carriers = std::move(children);
+  }
   return carriers;
 }
 
@@ -308,13 +253,6 @@ BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
   if (this->StartsFromSkipped(step))
   {
     const SurfaceLevel<Id>& before = this->Levels[this->LastMade];
-    const int ahead = this->GetAhead(step);
-    if (ahead > 1)
-    {
-      return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
-        [this, &before, ahead](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-        { this->Scheme->GetStepOfNext().Later.AppendRows(before, ahead, begin, end, block); });
-    }
     const auto others =
       std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
     return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
@@ -344,9 +282,9 @@ BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
 template <typename Id>
 void SurfaceSteps<Id>::ForgetBefore(int level)
 {
-  // Steps from levels that were skipped begin at the last one that was made.
+  // The step from a level that was skipped begins at the one before.
   const int end = std::min(level, this->LastMade);
-  for (int i = 0; i < end && !this->Levels[i + 1].Before; ++i)
+  for (int i = 0; i < end; ++i)
   {
     SurfaceLevel<Id> counts;
     counts.Step = this->Levels[i].Step;
@@ -379,14 +317,13 @@ SurfaceSegments SurfaceSteps<Id>::ListSegments() const
       segments.Faces, segments.Sizes, [&control](vtkIdType face)
       { return control.Mesh.GetFirst(static_cast<Id>(face)); }, segments.Corners);
   }
-  this->ForChildren(0, this->GetNumberOfSteps(),
-    [&](int, const SurfaceLevel<Id>& level)
-    {
-      SurfaceSegments children;
-      children.Sizes = segments.Sizes;
-      this->Scheme->ListChildren(level, segments, children);
-      segments = std::move(children);
-    });
+  for (int step = 0; step < this->GetNumberOfSteps(); ++step)
+  {
+    SurfaceSegments children;
+    children.Sizes = segments.Sizes;
+    this->Scheme->ListChildren(this->Levels[step], segments, children);
+    segments = std::move(children);
+  }
   return segments;
 }
 
@@ -398,8 +335,7 @@ std::size_t SurfaceSteps<Id>::GetMemorySize() const
   {
     bytes += level.Mesh.GetMemorySize() + level.Tags.Edges.GetMemorySize() +
       level.Tags.Vertices.GetMemorySize() + level.Lines.GetMemorySize() +
-      level.Places.GetMemorySize() + level.Later.GetMemorySize() +
-      (level.Dual ? level.Dual->GetMemorySize() : 0);
+      level.Places.GetMemorySize() + (level.Dual ? level.Dual->GetMemorySize() : 0);
   }
   return bytes;
 }

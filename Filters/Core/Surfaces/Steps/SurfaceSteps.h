@@ -89,16 +89,9 @@ private:
   SharpTagPair<Id> FindSharpTags(
     const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
-  void ChooseSkipped(int step, int steps, bool isRegular);
+  void ChooseSkipped(int step, int steps);
   /// Whether the level before a step has only its counts and lines (SkippedLevel.h).
   bool StartsFromSkipped(int step) const { return step > this->LastMade; }
-  /// How many steps after the last level that was made.
-  int GetAhead(int step) const { return step - this->LastMade; }
-
-  /// Calls act(step, level) for steps [first, last) with the level before each. Levels that were
-  /// skipped are made one after the other if the scheme counts children.
-  template <typename Act>
-  void ForChildren(int first, int last, const Act& act) const;
 
   std::vector<SurfaceLevel<Id>> Levels;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
@@ -106,7 +99,7 @@ private:
   SharpLimits<Id> Limits;   ///< at vertices near these
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   bool LastIsWhole;
-  /// If levels are skipped, the last one before these; they go on to the last level but one.
+  /// If the last level but one is skipped, the one before it.
   int LastMade = std::numeric_limits<int>::max();
   std::vector<Id> Irregular; ///< then: FindIrregularVertices of that level
   /// The control level's tags as they were given.
