@@ -182,8 +182,11 @@ int vtkMultiDimensionalSubdivision::RequestData(
   const bool addsBounds =
     this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;
   options.KeepsCopies = addsBounds;
-  const int result = this->Run(inputVector, outputVector, options,
-    "Results at the border of the partition are not those of the whole mesh.",
+  // A level reads points of cells around each cell only, linear rules those of the cell itself.
+  const bool readsLimit = options.ProjectToLimit || this->GenerateLimitNormals ||
+    this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays || addsBounds;
+  const bool isLocal = this->VolumeScheme == LINEAR || (this->NumberOfLevels <= 1 && !readsLimit);
+  const int result = this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)

@@ -11,6 +11,7 @@
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Surface/SurfaceInput.h"
@@ -18,6 +19,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
@@ -231,16 +233,31 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
   distribution.KeepsOwnValues = hasFields;
+  bool hasCases = false;
+  distribution.HasCases = &hasCases;
+  distribution.ReadsOwnBlocks = this->HasInterfaces() && !hasFields;
   // Whether cells are faces of others, and so have no values of their own, shows one layer farther.
-  distribution.Layers += hasFields ? 1 : 0;
+  distribution.Layers += hasFields || vtkDataObjectTree::SafeDownCast(readable) ? 1 : 0;
   const int result =
     subdivision::RunDistributed(this, readable, made, distribution, traits, options,
       [&](vtkPointSet* mesh, vtkPointSet* subdivided)
       {
-        return this->ReadFeatureOptions(mesh, options) &&
-          (this->HasInterfaces()
-              ? subdivision::RunWithMaterialFields(mesh, subdivided, options, fields, run)
-              : run(mesh, subdivided));
+        if (!this->ReadFeatureOptions(mesh, options))
+        {
+          return false;
+        }
+        options.Features.MergesPoints |= hasCases;
+        const std::string thin = ghosts
+          ? std::string()
+          : subdivision::DescribeThinLayers(mesh, this->GetLayersOfCells(),
+              !this->IsOfSurfaces() && !options.Features.ModifiedBoundary);
+        if (!thin.empty())
+        {
+          options.Warn(thin);
+        }
+        return (this->HasInterfaces()
+            ? subdivision::RunWithMaterialFields(mesh, subdivided, options, fields, run)
+            : run(mesh, subdivided));
       });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? made.Get() : nullptr);
   options.Part = all.Take(0.95, 1.);
@@ -384,7 +401,7 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   options.PreserveInterfaces = this->PreserveInterfaces;
   options.DetectFeatures = this->DetectFeatures;
   options.FeatureAngle = this->FeatureAngle;
-  options.MergesPoints = this->MergePoints;
+  options.MergesPoints = this->MergePoints || subdivision::HasDuplicates(input);
   options.Type1 = static_cast<JointRule>(this->Type1Rule);
   options.Type2 = this->Type2Rule == TYPE2_FOLLOW_PART ? JointRule::FollowPart
                                                        : static_cast<JointRule>(this->Type2Rule);

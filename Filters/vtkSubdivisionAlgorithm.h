@@ -71,12 +71,14 @@
  * how long the interface is kept there. Unset: none.
  *
  * @par Ghosts
- * Hidden cells have no effect and are not in the output. On several ranks, and in composite data
- * sets, duplicate cells of the input are left out: with JoinBlocks filters get the cells around a
- * partition from other ranks, so that results at its border are those of the whole mesh. The output
- * has as many layers of duplicate cells as the filter downstream asks for. In a single mesh of a
- * single process, children take the ghost type of their cell, ghost types of points are derived
- * from those of cells, and a warning says that results at the border are not those of the whole.
+ * Hidden cells, those that finer levels of AMR replace, and those at hidden points have no effect
+ * and are not in the output. On several ranks, and in composite data sets, duplicate cells of the
+ * input are left out: with JoinBlocks filters get the cells around a partition from other ranks, so
+ * that results at its border are those of the whole mesh. The output has as many layers of
+ * duplicate cells as the filter downstream asks for. In a single mesh of a single process, children
+ * take the ghost type of their cell, ghost types of points are derived from those of cells, and a
+ * warning says where these are too few layers for the results of the others to be those of the
+ * whole.
  */
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
@@ -431,8 +433,15 @@ public:
   ///@{
   /**
    * Whether the blocks of a composite input that share points are one mesh, and likewise the
-   * partitions that the ranks of the Controller have. If off, every block of every rank is worked
-   * on by itself, and its border is a boundary. On by default.
+   * partitions that the ranks of the Controller have. Points of the same global id and place are
+   * one point, and without global ids points of the same coordinates. Blocks with cells between the
+   * same points (of the highest dimension that there is) are cases or time steps of one mesh, if
+   * these are half of the cells of one of them or values differ there; so are blocks that others
+   * connect. They are the first, second and so on, and blocks are joined with those of the same
+   * number only. Where blocks of one case have different values
+   * at a point that they share, each keeps its own, and floating point numbers jump as with
+   * InterfaceValues. Warnings tell of both. If off, every block of every rank is worked on by
+   * itself, and its border is a boundary. On by default.
    */
   vtkSetMacro(JoinBlocks, bool);
   vtkGetMacro(JoinBlocks, bool);
@@ -514,9 +523,9 @@ protected:
   virtual bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
   /// Does what RequestData has in common in all filters: sets the shared options, and the functions
   /// of `options` for messages and progress; calls `run`, which returns whether it finished;
-  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result, null
-  /// where they are cells like others; `memory`: what there is not enough memory for, and what
-  /// helps.
+  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result, empty
+  /// where they mean nothing, null where that depends on their layers (FilterTraits); `memory`:
+  /// what there is not enough memory for, and what helps.
   int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
     const std::function<bool(vtkPointSet*, vtkPointSet*)>& run);

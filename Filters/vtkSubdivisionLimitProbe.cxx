@@ -91,8 +91,7 @@ int vtkSubdivisionLimitProbe::RequestData(
     options.Levels = 0;
     options.ProjectToLimit = true;
     options.Places = &request;
-    return this->Run(inputVector, outputVector, options,
-      "Results at the border of the partition are not those of the whole mesh.", memory,
+    return this->Run(inputVector, outputVector, options, nullptr, memory,
       [&](vtkPointSet* input, vtkPointSet* output)
       {
         request.Output = vtkPolyData::SafeDownCast(output);

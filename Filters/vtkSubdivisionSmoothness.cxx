@@ -58,8 +58,7 @@ int vtkSubdivisionSmoothness::RequestData(
     static_cast<subdivision::SurfaceSchemeKind>(isOfSurfaces ? this->Scheme - LOOP : 0);
   options.ModifiedBoundary = this->ModifiedBoundary;
   options.Features.ModifiedBoundary = this->ModifiedBoundaryOfSolids && !isOfSurfaces;
-  return this->Run(inputVector, outputVector, options,
-    "Results at the border of the partition are not those of the whole mesh.",
+  return this->Run(inputVector, outputVector, options, nullptr,
     "the simplices of the input. Use a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
     {

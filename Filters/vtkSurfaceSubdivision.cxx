@@ -164,7 +164,10 @@ int vtkSurfaceSubdivision::RequestData(
     options.GenerateLimitNormals = options.GenerateTangents = false;
     options.Cache = nullptr;
   }
-  const int result = this->Run(inputVector, outputVector, options, nullptr,
+  // Without rules for boundaries that angles decide, a level reads points of cells around only.
+  const bool isLocal =
+    !this->ModifiedBoundary && (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK);
+  const int result = this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
     "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
       ". Use fewer levels, or a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)

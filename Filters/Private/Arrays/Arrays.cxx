@@ -7,6 +7,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkVariant.h"
 
 #include <atomic>
 #include <cstring>
@@ -122,10 +123,17 @@ std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples)
   vtkDataArray* array = data->GetGlobalIds();
   std::vector<vtkIdType> ids;
   vtkIdTypeArray* exact = vtkIdTypeArray::SafeDownCast(array);
+  // A double cannot tell all integers of 64 bits apart.
+  const bool isLong = array && array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE;
+  const auto read = [&](vtkIdType i)
+  {
+    return isLong ? static_cast<vtkIdType>(array->GetVariantValue(i).ToLongLong())
+                  : ToId(array->GetComponent(i, 0));
+  };
   for (const vtkIdType i :
     InTurn(array && array->GetNumberOfTuples() == tuples ? tuples : vtkIdType(0)))
   {
-    ids.push_back(exact ? exact->GetValue(i) : ToId(array->GetComponent(i, 0)));
+    ids.push_back(exact ? exact->GetValue(i) : read(i));
   }
   return ids;
 }

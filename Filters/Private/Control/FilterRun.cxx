@@ -4,18 +4,19 @@
 #include "Core/Memory/Loops.h"
 #include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/ToldWarnings.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace subdivision
 {
@@ -27,14 +28,80 @@ struct WorkStopped
 {
 };
 
-bool HasDuplicateCells(vtkPointSet* input)
+bool HasSolids(vtkPointSet* input)
 {
-  vtkUnsignedCharArray* types = input->GetCellGhostArray();
-  return types &&
-    std::any_of(types->GetPointer(0), types->GetPointer(0) + types->GetNumberOfTuples(),
-      [](unsigned char type) { return type & vtkDataSetAttributes::DUPLICATECELL; });
+  const CellReader cells(input);
+  bool hasSolids = false;
+  for (vtkIdType c = 0; c < cells.GetNumberOfCells() && !hasSolids; ++c)
+  {
+    hasSolids = GetDimensionOfType(cells.GetCellType(c)) == 3;
+  }
+  return hasSolids;
 }
 
+/// How many layers of duplicate cells a mesh with such cells has around the others, `most` at most,
+/// which is also the result where there are no others.
+int CountLayers(vtkPointSet* input, int most)
+{
+  const CellReader cells(input);
+  const vtkIdType size = cells.GetNumberOfCells();
+  const unsigned char* types = GetGhosts(input, size);
+  const auto isDuplicate = [types](vtkIdType c)
+  { return (types[c] & vtkDataSetAttributes::DUPLICATECELL) != 0; };
+  std::vector<char> isIn(static_cast<std::size_t>(size), 0);
+  for (const std::size_t c : InTurn(isIn.size()))
+  {
+    isIn[c] = isDuplicate(static_cast<vtkIdType>(c)) ? 0 : 1;
+  }
+  if (std::find(isIn.begin(), isIn.end(), 1) == isIn.end())
+  {
+    return most;
+  }
+  std::vector<char> isAt(static_cast<std::size_t>(input->GetNumberOfPoints()), 0);
+  std::vector<vtkIdType> scratch;
+  int layers = 0;
+  for (bool isFound = true; layers < most && isFound; layers += isFound ? 1 : 0)
+  {
+    isFound = false;
+    for (const bool marks : { true, false })
+    {
+      for (const vtkIdType c : InTurn(size))
+      {
+        const CellIds cell = cells.GetCell(c, scratch);
+        for (vtkIdType i = 0; i < cell.Size && isIn[c] == (marks ? 1 : 0); ++i)
+        {
+          const bool exists = cell.Ids[i] >= 0 && cell.Ids[i] < input->GetNumberOfPoints();
+          if (exists && marks)
+          {
+            isAt[cell.Ids[i]] = 1;
+          }
+          else if (exists && isAt[cell.Ids[i]])
+          {
+            isIn[c] = 1;
+            isFound = true;
+          }
+        }
+      }
+    }
+  }
+  return layers;
+}
+
+}
+
+std::string DescribeThinLayers(vtkPointSet* mesh, int wanted, bool rulesAreLocal)
+{
+  if (!HasDuplicates(mesh))
+  {
+    return {};
+  }
+  const int needed = wanted - (rulesAreLocal && !HasSolids(mesh) ? 1 : 0);
+  const int layers = CountLayers(mesh, needed);
+  return layers == needed
+    ? std::string()
+    : "The input has " + std::to_string(layers) + " of " + std::to_string(needed) +
+      " layers of duplicate (ghost) cells that this filter needs around the others: results at the "
+      "border of the partition are not those of the whole mesh. Ask for more (Ghost Cells).";
 }
 
 std::string (*Translate)(const std::string& className, const std::string& text) = nullptr;
@@ -118,7 +185,7 @@ int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
   {
     return 1; // without points the output is empty
   }
-  if (traits.Ghosts && HasDuplicateCells(input))
+  if (traits.Ghosts && *traits.Ghosts && HasDuplicates(input))
   {
     options.Warn(std::string("The input has duplicate (ghost) cells. ") + traits.Ghosts);
   }

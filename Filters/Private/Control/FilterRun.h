@@ -36,7 +36,8 @@ struct FilterTraits
 {
   /// The error message where the input or the output is missing, or is of another type.
   const char* WrongInput;
-  /// What duplicate cells of the input mean for the result; null: the filter does not warn of them.
+  /// What duplicate cells of the input mean for the result; null or empty: the filter does not warn
+  /// of them.
   const char* Ghosts = nullptr;
   /// For what there may be too little memory, and what helps then.
   std::string Memory;
@@ -52,6 +53,10 @@ using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 /// Sets the functions of `options` for messages and for the progress of this part of the work; Fail
 /// sets `failed`.
 void ConnectToFilter(vtkAlgorithm* filter, RunOptions& options, bool& failed);
+
+/// A warning where a mesh has duplicate cells, but fewer than `wanted` layers of them around the
+/// others, one less where there are no solids and `rulesAreLocal`; else empty.
+std::string DescribeThinLayers(vtkPointSet* mesh, int wanted, bool rulesAreLocal);
 
 /// Calls `work`; too little memory is an error. Between loops the work reports that it goes on, and
 /// ends where it must stop. Returns whether it finished.

@@ -50,6 +50,8 @@ public:
   }
 
   int GetNumberOfColours() const { return this->Whole.NumberOfColours; }
+  /// The mesh without fields.
+  vtkSmartPointer<vtkPointSet> Get() const { return this->Mesh; }
 
   vtkSmartPointer<vtkPointSet> Make(
     const std::vector<std::string>& cellArrays, const RunOptions& options)
@@ -112,6 +114,7 @@ private:
         });
     }
     mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
+    mesh->GetCellData()->RemoveArray(OwnBlockName);
     return mesh;
   }
 
@@ -483,7 +486,9 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   {
     options.FindPartners = [&](vtkPointSet*) { return find(input); };
   }
-  if (!fields.IsOn)
+  const vtkSmartPointer<vtkDataArray> blocks = input->GetCellData()->GetArray(OwnBlockName);
+  bool isOn = fields.IsOn || blocks;
+  if (!isOn)
   {
     vtkSmartPointer<vtkPointSet> mesh = input;
     if (hasCopies)
@@ -501,21 +506,30 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   }
   vtkSmartPointer<vtkPointSet> mesh;
   {
-    Control control(input, options.Features.Material, FindPartners(options, input));
-    if (control.GetNumberOfColours() > MaximumNumberOfColours)
+    Control control(
+      input, blocks ? blocks : options.Features.Material, FindPartners(options, input));
+    const bool areTooMany = control.GetNumberOfColours() > MaximumNumberOfColours;
+    if (areTooMany && !fields.IsOn)
+    {
+      options.Warn("More than " + std::to_string(MaximumNumberOfColours) +
+        " blocks meet in one another with different values: those of the first are taken at each "
+        "point that they share. Switch JoinBlocks off, or join some of the blocks.");
+    }
+    else if (areTooMany)
     {
       options.Fail("InterfaceValues: more than " + std::to_string(MaximumNumberOfColours) +
         " materials meet in one another, " + std::to_string(control.GetNumberOfColours()) +
         " fields would be needed. Use fewer materials, or continuous values.");
       return false;
     }
-    mesh = control.Make(fields.CellArrays, options);
+    isOn = !areTooMany;
+    mesh = isOn ? control.Make(fields.CellArrays, options) : control.Get();
   }
-  options.HasMaterialFields = true;
+  options.HasMaterialFields = isOn;
   const bool isDone = work(mesh, output);
   options.HasMaterialFields = false;
   options.FindPartners = find;
-  if (isDone && output->GetPoints())
+  if (isDone && isOn && output->GetPoints())
   {
     Tear(output).Run();
   }

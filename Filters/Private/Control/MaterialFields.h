@@ -25,9 +25,15 @@ class vtkPointSet;
 namespace subdivision
 {
 
+/// The cell array of the block whose values a cell has where blocks have different ones at points
+/// that they share; 0: a block that has none of its own. It is there before the work only.
+constexpr const char* OwnBlockName = "SubdivisionOwnBlock";
+
 struct MaterialFieldOptions
 {
-  bool IsOn = false; ///< if not, the work is done, with a warning if there are copies
+  /// If not, the work is done, with a warning if there are copies, but for an input with the array
+  /// OwnBlockName: its blocks have such fields, if there are not too many.
+  bool IsOn = false;
   /// Cell arrays of these names become fields too: the value at a point is the mean of the cells of
   /// a material around it.
   std::vector<std::string> CellArrays;

@@ -24,6 +24,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -46,12 +47,20 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
 void RestoreArrays(
   const std::vector<JoinedArray>& arrays, int block, bool hasGhosts, vtkDataSetAttributes* data)
 {
+  std::multimap<std::string, int> active; // attributes that arrays of these names were
   for (const JoinedArray& array : arrays)
   {
     vtkAbstractArray* found = data->GetAbstractArray(array.Name.c_str());
     const bool isMade = hasGhosts && array.Name == vtkDataSetAttributes::GhostArrayName();
     if (found && !isMade && !array.OfPart[block])
     {
+      for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+      {
+        if (data->GetAbstractAttribute(type) == found)
+        {
+          active.emplace(array.OriginalName, type);
+        }
+      }
       data->RemoveArray(array.Name.c_str());
     }
   }
@@ -61,6 +70,11 @@ void RestoreArrays(
     if (found && array.Name != array.OriginalName)
     {
       found->SetName(array.OriginalName.c_str());
+      const auto types = active.equal_range(array.OriginalName);
+      for (auto type = types.first; type != types.second; ++type)
+      {
+        data->SetActiveAttribute(array.OriginalName.c_str(), type->second);
+      }
     }
   }
 }

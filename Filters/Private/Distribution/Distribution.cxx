@@ -2,6 +2,7 @@
 #include "Private/Distribution/Distribution.h"
 
 #include "Private/Control/SizeChecks.h"
+#include "Private/Distribution/BlockCases.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/OwnValues.h"
@@ -41,6 +42,7 @@ std::vector<MeshPart> GetParts(const std::vector<Block>& blocks)
     MeshPart part;
     part.Mesh = blocks[b].Input;
     part.Block = static_cast<int>(b);
+    part.Index = static_cast<int>(blocks[b].CompositeIndex);
     parts.push_back(std::move(part));
   }
   return parts;
@@ -94,6 +96,7 @@ struct PartitionWork
   std::vector<MeshPart> Parts;
   bool IsPartial;  ///< there are other partitions
   bool AreStamped; ///< an earlier filter made them, and this one may go on
+  bool HaveOwn;    ///< values of blocks differ, and the work reads OwnBlockName
   std::vector<Block>& Blocks;
   int PointType;
   const DistributionOptions& Distribution;
@@ -124,7 +127,8 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
   return DoWork(run.Traits, run.Options,
     [&]
     {
-      JoinedMesh joined = Join(run.Parts, run.PointType);
+      const bool keepsOwn = run.Distribution.KeepsOwnValues;
+      JoinedMesh joined = Join(run.Parts, run.PointType, keepsOwn || run.HaveOwn);
       AddPointBlocks(run.Parts, joined);
       if (!RestoreStamp(run.Parts, run.AreStamped, run.IsPartial, joined))
       {
@@ -134,9 +138,9 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
           "results are not those of one filter with all levels. Use one filter with "
           "more levels, or switch JoinBlocks off, and each block goes on by itself.");
       }
-      if (run.Distribution.KeepsOwnValues)
+      if (keepsOwn || run.HaveOwn)
       {
-        KeepOwnValues(run.Parts, joined);
+        KeepOwnValues(run.Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
       }
       const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
@@ -153,6 +157,10 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       OutputOptions output;
       output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
       output.GhostLayers = ghostLayers;
+      if (run.HaveOwn)
+      {
+        whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
+      }
       // A filter that cannot number what it makes of a part says why.
       output.GlobalIds = run.Options.GenerateGlobalIds &&
         (!run.IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
@@ -243,10 +251,17 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
   KeptParts own;
   KeptParts& kept = distribution.Kept ? *distribution.Kept : own;
   const bool areStamped = PrepareParts(parts, exchange, distribution, kept, options);
+  if (distribution.HasCases)
+  {
+    *distribution.HasCases = std::any_of(
+      parts[0].begin(), parts[0].end(), [](const MeshPart& part) { return part.Case != 0; });
+  }
+  const bool haveOwn = AreSeveralBlocks(parts, exchange) &&
+    FindOwnBlocks(parts, exchange, options.Warn) && distribution.ReadsOwnBlocks;
   const auto run = [&](size_t p, Rounds* rounds)
   {
     return parts[p].empty() ||
-      RunPartition({ std::move(parts[p]), exchange.GetNumberOfPartitions() > 1, areStamped,
+      RunPartition({ std::move(parts[p]), exchange.GetNumberOfPartitions() > 1, areStamped, haveOwn,
                      partitions[p], pointType, distribution, traits, options, work },
         rounds, static_cast<int>(p));
   };

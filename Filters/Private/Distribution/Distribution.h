@@ -47,6 +47,11 @@ struct DistributionOptions
   /// Whether points may have another value in each block (OwnValues.h), and copies of points that
   /// an earlier filter made are one point.
   bool KeepsOwnValues = false;
+  /// Whether the work takes such copies too where it finds the array OwnBlockName, and the values
+  /// of blocks differ.
+  bool ReadsOwnBlocks = false;
+  /// Set to whether blocks are several cases, some of whose points are at one place; may be null.
+  bool* HasCases = nullptr;
   /// Warnings of what was done to the input before.
   std::vector<std::string> Warnings;
   /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.

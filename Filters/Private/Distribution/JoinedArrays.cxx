@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 
 #include "vtkCellData.h"
@@ -12,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <functional>
@@ -40,20 +42,41 @@ bool IsCarried(vtkAbstractArray* array, vtkIdType size, int association)
       std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName());
 }
 
+/// Whether all values of `array` are those that the joined array has so far.
+bool Fits(vtkAbstractArray* array, const std::vector<vtkIdType>& places,
+  const std::vector<char>& has, vtkAbstractArray* joined)
+{
+  const int size = array->GetNumberOfComponents();
+  bool fits = true;
+  for (size_t i = 0; i < places.size() && fits; ++i)
+  {
+    for (int c = 0; places[i] >= 0 && has[places[i]] && c < size; ++c)
+    {
+      fits = fits &&
+        array->GetVariantValue(static_cast<vtkIdType>(i) * size + c) ==
+          joined->GetVariantValue(places[i] * size + c);
+    }
+  }
+  return fits;
+}
+
 /// The array of the joined mesh that takes the values of `array`; makes one if there is none.
+/// `fits(e)`: whether array e may take them.
+template <typename FitsInto>
 size_t FindEntry(vtkAbstractArray* array, vtkIdType size, std::vector<JoinedArray>& entries,
-  std::vector<vtkSmartPointer<vtkAbstractArray>>& arrays, size_t numberOfParts)
+  std::vector<vtkSmartPointer<vtkAbstractArray>>& arrays, size_t numberOfParts,
+  const FitsInto& fits)
 {
   std::string name = array->GetName();
   for (size_t e = 0; e < entries.size(); ++e)
   {
-    if (IsSame(array, arrays[e], entries[e]))
+    if (IsSame(array, arrays[e], entries[e]) && fits(e))
     {
       return e;
     }
     if (entries[e].OriginalName == array->GetName())
     {
-      name += "'"; // another type: no reader asks for it by this name
+      name += "'"; // another type, or other values: no reader asks for it by this name
     }
   }
   entries.push_back({ name, array->GetName(), std::vector<bool>(numberOfParts, false) });
@@ -70,14 +93,16 @@ size_t FindEntry(vtkAbstractArray* array, vtkIdType size, std::vector<JoinedArra
   return entries.size() - 1;
 }
 
-void CopyValues(vtkAbstractArray* from, const std::vector<vtkIdType>& places, vtkAbstractArray* to)
+void CopyValues(vtkAbstractArray* from, const std::vector<vtkIdType>& places,
+  std::vector<char>& has, vtkAbstractArray* to)
 {
   vtkNew<vtkIdList> sources;
   vtkNew<vtkIdList> targets;
   for (const size_t i : InTurn(places.size()))
   {
-    if (places[i] >= 0)
+    if (places[i] >= 0 && !has[places[i]])
     {
+      has[places[i]] = 1;
       sources->InsertNextId(static_cast<vtkIdType>(i));
       targets->InsertNextId(places[i]);
     }
@@ -96,7 +121,7 @@ void KeepHidden(vtkDataSetAttributes* joined)
   {
     for (const vtkIdType i : InTurn(types->GetNumberOfValues()))
     {
-      types->SetValue(i, types->GetValue(i) & vtkDataSetAttributes::HIDDENCELL);
+      types->SetValue(i, IsHiddenCell(types->GetValue(i)) ? vtkDataSetAttributes::HIDDENCELL : 0);
     }
   }
 }
@@ -173,6 +198,11 @@ bool HasValues(vtkAbstractArray* array, vtkIdType size)
   return given == size || (mayBeMore && given > size);
 }
 
+bool IsFloating(vtkAbstractArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
 vtkAbstractArray* FindArray(
   vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry)
 {
@@ -188,32 +218,28 @@ vtkAbstractArray* FindArray(
 }
 
 std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Places& places,
-  int association, vtkDataSetAttributes* joined)
+  int association, bool keepsOwnFloats, vtkDataSetAttributes* joined)
 {
   std::vector<JoinedArray> entries;
   std::vector<vtkSmartPointer<vtkAbstractArray>> arrays;
-  // From the last part to the first, whose values are to stay; the entries in the order of parts.
+  std::vector<std::vector<char>> has; // which values are there: those of the first part stay
   for (size_t p = 0; p < parts.size(); ++p)
   {
     vtkDataSetAttributes* data = parts[p].Mesh->GetAttributes(association);
     for (int a = 0; a < data->GetNumberOfArrays(); ++a)
     {
       vtkAbstractArray* array = data->GetAbstractArray(a);
-      if (IsCarried(array, parts[p].Mesh->GetNumberOfElements(association), association))
+      if (!IsCarried(array, parts[p].Mesh->GetNumberOfElements(association), association))
       {
-        entries[FindEntry(array, places.Size, entries, arrays, parts.size())].OfPart[p] = true;
+        continue;
       }
-    }
-  }
-  for (size_t p = parts.size(); p-- > 0;)
-  {
-    for (size_t e = 0; e < entries.size(); ++e)
-    {
-      if (entries[e].OfPart[p])
-      {
-        CopyValues(FindArray(parts[p].Mesh->GetAttributes(association), arrays[e], entries[e]),
-          places.OfPart[p], arrays[e]);
-      }
+      const bool isFree = !parts[p].KeepsOwn || parts[p].Block == NoBlock ||
+        association != vtkDataObject::POINT || (keepsOwnFloats && IsFloating(array));
+      const size_t e = FindEntry(array, places.Size, entries, arrays, parts.size(),
+        [&](size_t at) { return isFree || Fits(array, places.OfPart[p], has[at], arrays[at]); });
+      has.resize(entries.size(), std::vector<char>(static_cast<size_t>(places.Size), 0));
+      entries[e].OfPart[p] = true;
+      CopyValues(array, places.OfPart[p], has[e], arrays[e]);
     }
   }
   for (const auto& array : arrays)
@@ -236,8 +262,7 @@ void ExtendArrays(vtkPointSet* mesh, const std::vector<JoinedArray>& arrays, con
     vtkDataArray* array = mesh->GetPointData()->GetArray(entry.Name.c_str());
     const bool isPartial =
       std::find(entry.OfPart.begin(), entry.OfPart.end(), false) != entry.OfPart.end();
-    if (!array || !isPartial ||
-      (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+    if (!array || !isPartial || !IsFloating(array))
     {
       continue;
     }

@@ -25,14 +25,18 @@ struct Places
 /// more (GetGhosts).
 bool HasValues(vtkAbstractArray* array, vtkIdType size);
 
+bool IsFloating(vtkAbstractArray* array);
+
 /// The array of a part whose values an array of the joined mesh takes; null: none.
 vtkAbstractArray* FindArray(
   vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry);
 
 /// Joins the arrays of points or cells: `association` is vtkDataObject::POINT or CELL, `places` are
-/// those of points or of cells. Values that no part has are 0 or empty.
+/// those of points or of cells. Values that no part has are 0 or empty. A part that keeps its own
+/// values has another array where those of the first are other ones; with `keepsOwnFloats` not of
+/// floating point numbers (OwnValues.h).
 std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Places& places,
-  int association, vtkDataSetAttributes* joined);
+  int association, bool keepsOwnFloats, vtkDataSetAttributes* joined);
 
 /// Gives values to points of `mesh` that have none in arrays of floating point numbers, from points
 /// beside them: see Join.

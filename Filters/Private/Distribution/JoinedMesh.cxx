@@ -381,7 +381,7 @@ void TakeArrays(vtkDataSetAttributes* from, vtkIdType size, const std::vector<vt
 
 }
 
-JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
+JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType, bool keepsOwnFloats)
 {
   std::vector<CellReader> readers;
   bool isPolyData = true;
@@ -405,11 +405,11 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType)
   Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
   joined.Mesh->SetPoints(JoinPoints(parts, points, pointType));
   JoinCells(readers, cells, pointPlaces, joined.Mesh);
-  joined.PointArrays =
-    JoinArrays(parts, pointPlaces, vtkDataObject::POINT, joined.Mesh->GetPointData());
+  joined.PointArrays = JoinArrays(
+    parts, pointPlaces, vtkDataObject::POINT, keepsOwnFloats, joined.Mesh->GetPointData());
   ExtendArrays(joined.Mesh, joined.PointArrays, pointPlaces);
   joined.CellArrays =
-    JoinArrays(parts, cellPlaces, vtkDataObject::CELL, joined.Mesh->GetCellData());
+    JoinArrays(parts, cellPlaces, vtkDataObject::CELL, false, joined.Mesh->GetCellData());
   JoinLeaves(parts, cells, pointPlaces, joined.Mesh);
   AddBlocks(parts, cells, joined.Mesh);
   joined.PointIds = GetIds(points);

@@ -33,6 +33,14 @@ struct MeshPart
   /// If not empty: the ids of the points all cells between which the partition gets, in the place
   /// of layers. The first part of a partition has them.
   std::vector<vtkIdType> Region{};
+  /// The number of the block in the composite data set, also where another partition has it; its
+  /// case, and whether it keeps its values where others have other ones (BlockCases.h).
+  int Index = 0;
+  int Case = 0;
+  bool KeepsOwn = false;
+  bool KeepsOwnFloats = false; ///< some of these are floating point numbers
+  /// If not empty: what tells points of the same id apart.
+  std::vector<vtkIdType> Variants{};
 };
 
 /// An array of a joined mesh.
@@ -56,7 +64,7 @@ struct JoinedMesh
 
 /**
  * Joins meshes. Points and cells stand in the order of their ids. A point or cell that several
- * parts have takes coordinates and values from the first of them.
+ * parts have takes coordinates and values from the first of them; see MeshPart::KeepsOwn.
  *
  * Arrays of the same name, type and number of components are one. Points of parts that do not have
  * an array take the mean of the points beside them that have it, two cells far, so that values
@@ -68,7 +76,8 @@ struct JoinedMesh
  * `pointType`. Point ids of a cell that do not exist become -1, for the reader to complain about.
  * Sorts points and cells; takes 24 bytes for each, besides the mesh.
  */
-JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE);
+JoinedMesh Join(
+  const std::vector<MeshPart>& parts, int pointType = VTK_DOUBLE, bool keepsOwnFloats = false);
 
 /**
  * Writes into `part` some cells of `whole`, ascending, with the points that they use, in the order

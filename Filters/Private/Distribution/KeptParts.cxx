@@ -171,6 +171,7 @@ bool KeptParts::Restore(
         parts[p][i].Points = kept.Points;
         parts[p][i].Cells = kept.Cells;
         parts[p][i].Levels = kept.Levels;
+        parts[p][i].Case = kept.Case;
       }
       else
       {

@@ -314,6 +314,7 @@ std::vector<vtkIdType> PackCells(
   PutValues(mesh, writer);
   AddStampedLists(part.Mesh->GetFieldData(), mesh->GetFieldData());
   PutArrays(mesh->GetFieldData(), CanBeSent, writer);
+  writer.Put(static_cast<vtkIdType>(part.Index));
   writer.Put(Select(part.Points, points));
   writer.Put(Select(part.Cells, cells));
   return points;
@@ -335,6 +336,7 @@ void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
     GetCells(reader, part.Mesh);
     GetValues(reader, part.Mesh);
     GetArrays(reader, part.Mesh->GetFieldData());
+    part.Index = static_cast<int>(reader.GetId());
     part.Points = reader.GetIds();
     part.Cells = reader.GetIds();
     parts.push_back(std::move(part));

@@ -2,9 +2,11 @@
 #include "Private/Distribution/OwnValues.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Control/MaterialFields.h"
 #include "Private/Control/PointCopies.h"
 #include "Private/Distribution/JoinedArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -38,7 +40,7 @@ std::vector<Values> FindValues(const std::vector<MeshPart>& parts, const JoinedM
   for (const JoinedArray& entry : joined.PointArrays)
   {
     vtkDataArray* array = joined.Mesh->GetPointData()->GetArray(entry.Name.c_str());
-    if (!array || (array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE))
+    if (!array || !IsFloating(array))
     {
       continue;
     }
@@ -69,13 +71,15 @@ bool AreSame(vtkDataArray* a, vtkIdType i, vtkDataArray* b, vtkIdType j)
 }
 
 /// The points of parts for which one of the arrays has another value in the mesh.
-std::vector<Copy> FindCopies(
-  const std::vector<MeshPart>& parts, const JoinedMesh& joined, const std::vector<Values>& arrays)
+std::vector<Copy> FindCopies(const std::vector<MeshPart>& parts, const JoinedMesh& joined,
+  const std::vector<Values>& arrays, OwnValues keeps)
 {
   std::vector<Copy> copies;
   for (std::size_t p = 0; p < parts.size(); ++p)
   {
-    const std::vector<vtkIdType>& places = joined.PointPlaces[p];
+    const bool keepsOwn = keeps == OwnValues::OfAll || parts[p].KeepsOwnFloats;
+    const std::vector<vtkIdType> none;
+    const std::vector<vtkIdType>& places = keepsOwn ? joined.PointPlaces[p] : none;
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       const Copy copy{ static_cast<int>(p), static_cast<vtkIdType>(i), places[i] };
@@ -91,6 +95,25 @@ std::vector<Copy> FindCopies(
     }
   }
   return copies;
+}
+
+/// Tells of each cell whose values it reads: those of its block, or 0 where blocks agree.
+void AddOwnBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+{
+  const auto blocks = MakeArray(VTK_INT, 1, joined.Mesh->GetNumberOfCells());
+  blocks->SetName(OwnBlockName);
+  blocks->Fill(0.);
+  for (std::size_t p = 0; p < parts.size(); ++p)
+  {
+    for (const vtkIdType place : InTurn(joined.CellPlaces[p]))
+    {
+      if (place >= 0 && parts[p].KeepsOwnFloats)
+      {
+        blocks->SetComponent(place, 0, 1. + parts[p].Index);
+      }
+    }
+  }
+  joined.Mesh->GetCellData()->AddArray(blocks);
 }
 
 }
@@ -116,10 +139,15 @@ void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts)
   }
 }
 
-void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined)
+void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined, OwnValues keeps)
 {
+  if (keeps == OwnValues::OfBlocks)
+  {
+    AddOwnBlocks(parts, joined);
+  }
+
   const std::vector<Values> arrays = FindValues(parts, joined);
-  const std::vector<Copy> copies = FindCopies(parts, joined, arrays);
+  const std::vector<Copy> copies = FindCopies(parts, joined, arrays, keeps);
   vtkPointSet* mesh = joined.Mesh;
   if (copies.empty() && !mesh->GetPointData()->HasArray(MaterialPointIdsName))
   {

@@ -14,13 +14,21 @@
 namespace subdivision
 {
 
+/// Which parts keep their own values.
+enum class OwnValues
+{
+  OfAll,
+  OfBlocks ///< those with MeshPart::KeepsOwnFloats; the cell array OwnBlockName tells of them
+};
+
 /**
  * Gives the mesh a copy of each point for which a part has another value than the mesh, in an array
  * of floating point numbers. Copies follow after all points, the cells of that part have them, and
  * the point array MaterialPointIds says which point each is. PointIds and PointPlaces stay those of
  * the mesh without copies.
  */
-void KeepOwnValues(const std::vector<MeshPart>& parts, JoinedMesh& joined);
+void KeepOwnValues(
+  const std::vector<MeshPart>& parts, JoinedMesh& joined, OwnValues keeps = OwnValues::OfAll);
 
 /// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; the
 /// numbers are those that an earlier filter gave.

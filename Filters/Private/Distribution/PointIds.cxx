@@ -4,6 +4,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/PointCopies.h"
+#include "Private/Distribution/BlockCases.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 
@@ -19,6 +20,7 @@
 #include <cstdint>
 #include <cstring>
 #include <numeric>
+#include <tuple>
 
 namespace subdivision
 {
@@ -73,7 +75,8 @@ bool AllHave(const Parts& parts, Exchange& exchange, int association)
       const vtkIdType size = part.Mesh->GetNumberOfElements(association);
       const std::vector<vtkIdType> ids = ReadIdsOf(part.Mesh->GetAttributes(association), size);
       have = have && static_cast<vtkIdType>(ids.size()) == size &&
-        std::all_of(ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0; });
+        std::all_of(
+          ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0 && id < VTK_ID_MAX; });
     }
   }
   return exchange.Agree(have);
@@ -172,10 +175,23 @@ bool HaveDistinctCells(const Parts& parts, Exchange& exchange)
 // ------------------------------------------------------------------------------------------------
 // Points by coordinates
 
+/// What points have in common that are one point: coordinates or, with global ids, the variant of
+/// the id as the first of them.
+struct Site
+{
+  std::array<double, 3> At;
+  vtkIdType Id;
+  vtkIdType Case;
+
+  auto Get() const { return std::tie(this->At, this->Id, this->Case); }
+  bool operator<(const Site& other) const { return this->Get() < other.Get(); }
+  bool operator!=(const Site& other) const { return this->Get() != other.Get(); }
+};
+
 /// A place, and a number of it in its partition.
 struct Place
 {
-  std::array<double, 3> At;
+  Site At;
   vtkIdType Number;
   int Partition;
   int IsSeveral; ///< a part has several points there
@@ -186,10 +202,11 @@ struct Place
   }
 };
 
-std::size_t Hash(const std::array<double, 3>& at)
+std::size_t Hash(const Site& site)
 {
-  std::uint64_t hash = 0;
-  for (const double x : at)
+  std::uint64_t hash =
+    static_cast<std::uint64_t>(site.Id + 1) * 31 + static_cast<std::uint64_t>(site.Case);
+  for (const double x : site.At)
   {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &x, sizeof(bits));
@@ -202,7 +219,7 @@ std::size_t Hash(const std::array<double, 3>& at)
 /// A point of a partition.
 struct PointOfPart
 {
-  std::array<double, 3> At;
+  Site At;
   int Part;
   vtkIdType Index;
 
@@ -216,7 +233,7 @@ struct PointOfPart
 
 /// The points of a partition sorted by place; those without a finite place, which nobody can share,
 /// come last and unsorted.
-std::vector<PointOfPart> SortPoints(const std::vector<MeshPart>& parts, size_t& finite)
+std::vector<PointOfPart> SortPoints(const std::vector<MeshPart>& parts, bool byIds, size_t& finite)
 {
   std::vector<PointOfPart> points;
   std::vector<PointOfPart> others;
@@ -228,13 +245,22 @@ std::vector<PointOfPart> SortPoints(const std::vector<MeshPart>& parts, size_t& 
       {
         continue;
       }
-      PointOfPart point = { {}, static_cast<int>(p), static_cast<vtkIdType>(i) };
-      parts[p].Mesh->GetPoint(point.Index, point.At.data());
+      PointOfPart point = { { {}, -1, parts[p].Case }, static_cast<int>(p),
+        static_cast<vtkIdType>(i) };
       bool isFinite = true;
-      for (double& x : point.At)
+      if (!byIds)
       {
-        isFinite = isFinite && std::isfinite(x);
-        x += 0.; // -0 becomes 0
+        parts[p].Mesh->GetPoint(point.Index, point.At.At.data());
+        for (double& x : point.At.At)
+        {
+          isFinite = isFinite && std::isfinite(x);
+          x += 0.; // -0 becomes 0
+        }
+      }
+      else
+      {
+        point.At.Id = parts[p].Points[i];
+        point.At.At[0] = parts[p].Variants.empty() ? 0. : static_cast<double>(parts[p].Variants[i]);
       }
       (isFinite ? points : others).push_back(point);
     }
@@ -253,7 +279,7 @@ struct PlacesOfPartition
   std::vector<char> IsSeveral;
   std::vector<vtkIdType> Ids; ///< of each place; -1: its points have ids of their own
 
-  PlacesOfPartition(const std::vector<MeshPart>& parts, bool joinsCopies)
+  PlacesOfPartition(const std::vector<MeshPart>& parts, bool byIds, bool joinsCopies)
   {
     std::vector<std::vector<vtkIdType>> firsts(parts.size()); // of copies; empty: there are none
     for (std::size_t p = 0; joinsCopies && p < parts.size(); ++p)
@@ -263,7 +289,7 @@ struct PlacesOfPartition
     const auto areCopies = [&](const PointOfPart& a, const PointOfPart& b)
     { return !firsts[a.Part].empty() && firsts[a.Part][a.Index] == firsts[a.Part][b.Index]; };
     size_t finite = 0;
-    this->Points = SortPoints(parts, finite);
+    this->Points = SortPoints(parts, byIds, finite);
     for (const size_t i : InTurn(this->Points.size()))
     {
       if (i >= finite || i == 0 || this->Points[i].At != this->Points[i - 1].At)
@@ -339,7 +365,7 @@ std::vector<std::vector<Answer>> AskDirectory(
         auto first = std::lower_bound(all.begin(), all.end(), place,
           [](const Place& a, const Place& b) { return a.At < b.At; });
         Answer answer = { first->Number, first->Partition, 0 };
-        for (; first != all.end() && first->At == place.At; ++first)
+        for (; first != all.end() && !(first->At != place.At); ++first)
         {
           answer.IsSeveral |= first->IsSeveral;
         }
@@ -469,13 +495,14 @@ void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
   }
 }
 
+/// `byIds`: points have the same place if they have the same number, variant and case.
 void IdentifyByPlace(Parts& parts, Exchange& exchange,
-  const std::function<void(const std::string&)>& warn, bool joinsCopies)
+  const std::function<void(const std::string&)>& warn, bool byIds, bool joinsCopies)
 {
   std::vector<PlacesOfPartition> places;
   for (const auto& partition : parts)
   {
-    places.emplace_back(partition, joinsCopies);
+    places.emplace_back(partition, byIds, joinsCopies);
   }
   const std::vector<std::vector<Answer>> answers = AskDirectory(places, exchange);
   NumberOwn(answers, parts, places, exchange);
@@ -528,13 +555,21 @@ void IdentifyPoints(Parts& parts, Exchange& exchange,
       MarkUsed(part);
     }
   }
-  if (AllHave(parts, exchange, vtkDataObject::POINT))
+  if (!AllHave(parts, exchange, vtkDataObject::POINT))
   {
-    TakeGlobalIds(parts, vtkDataObject::POINT, &MeshPart::Points);
+    IdentifyByPlace(parts, exchange, warn, false, joinsCopies);
   }
   else
   {
-    IdentifyByPlace(parts, exchange, warn, joinsCopies);
+    TakeGlobalIds(parts, vtkDataObject::POINT, &MeshPart::Points);
+    if (FindPlacesOfIds(parts, exchange, warn))
+    {
+      IdentifyByPlace(parts, exchange, warn, true, joinsCopies);
+    }
+  }
+  if (AreSeveralBlocks(parts, exchange) && FindCases(parts, exchange, warn))
+  {
+    IdentifyByPlace(parts, exchange, warn, true, joinsCopies);
   }
   if (AllHave(parts, exchange, vtkDataObject::CELL) && HaveDistinctCells(parts, exchange))
   {

@@ -19,16 +19,17 @@ namespace subdivision
  * Sets Points and Cells of the parts, which several ranks may have: `parts[i]` are those of
  * partition i of this rank, and `exchange` knows the others.
  *
- * Points of the same global id are one point. If a part has no global ids, points of the same
- * coordinates are, bit for bit (-0 is 0); where one part has two points at a place, these and all
- * others there stay apart, and `warn` gets a message. Points that only duplicate (ghost) cells use
+ * Points of the same global id and place (FindPlacesOfIds) are one point. If a part has no global
+ * ids, points of the same coordinates are, bit for bit (-0 is 0); where one part has two points at
+ * a place, these and all others there stay apart, and `warn` gets a message. Blocks that are other
+ * cases of a mesh (FindCases) share no points with it. Points that only duplicate (ghost) cells use
  * get -1, as these cells do. Cells are ordered by global ids if all parts have them, each one once;
  * else by partition, part and index. The numbers that are made here start at 0 and have no gaps.
  *
  * With `joinsCopies` points of a part that are copies (Private/Control/PointCopies.h) are one
  * point.
  *
- * Without global ids of points four exchanges, at most 48 bytes for each point; with global ids of
+ * Without global ids of points four exchanges, at most 64 bytes for each point; with global ids of
  * cells one, 8 bytes for each cell.
  */
 void IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,

@@ -39,6 +39,13 @@ constexpr int FewestRounds = 3;      ///< even if volumes do not get better
 constexpr int MostRounds = 8;
 constexpr double TetsOfCube = 6.;
 
+/// The ghost types (vtkGhostType) of voxels that are not there: blanked, refined by finer levels of
+/// AMR, or owned by another piece.
+constexpr int NotHereCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL |
+  vtkDataSetAttributes::DUPLICATECELL;
+constexpr int NotHerePoint =
+  vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
+
 std::string Text(double label)
 {
   return std::to_string(static_cast<long long>(label));
@@ -160,8 +167,7 @@ bool LabelSolid::Read()
     ? static_cast<vtkDataSetAttributes*>(this->Image->GetPointData())
     : this->Image->GetCellData();
   vtkDataArray* ghosts = data->GetArray(vtkDataSetAttributes::GhostArrayName());
-  const int hidden = this->Options.OfPoints ? int(vtkDataSetAttributes::HIDDENPOINT)
-                                            : int(vtkDataSetAttributes::HIDDENCELL);
+  const int hidden = this->Options.OfPoints ? NotHerePoint : NotHereCell;
   if (!this->HasMemory()) // for the labels
   {
     return false;

@@ -259,7 +259,7 @@ public:
 
   CellState Check(vtkIdType cellId)
   {
-    if (this->Ghosts && (this->Ghosts[cellId] & vtkDataSetAttributes::HIDDENCELL))
+    if (this->Ghosts && IsHiddenCell(this->Ghosts[cellId]))
     {
       return CellState::Hidden;
     }
@@ -392,6 +392,15 @@ const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells)
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   return ghosts && ghosts->GetNumberOfValues() >= numberOfCells ? ghosts->GetPointer(0) : nullptr;
+}
+
+bool HasDuplicates(vtkPointSet* input)
+{
+  const vtkIdType size = input->GetNumberOfCells();
+  const unsigned char* types = GetGhosts(input, size);
+  return types &&
+    std::any_of(types, types + size,
+      [](unsigned char type) { return type & vtkDataSetAttributes::DUPLICATECELL; });
 }
 
 int GetDimensionOfType(int cellType)

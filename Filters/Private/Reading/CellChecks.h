@@ -8,6 +8,8 @@
 
 #include "Private/Reading/CellReader.h"
 
+#include "vtkDataSetAttributes.h"
+
 #include <string>
 #include <vector>
 
@@ -46,8 +48,18 @@ struct CheckedCells
   bool HasQuads = false;
 };
 
+/// Whether VTK takes a cell of this ghost type for one that is not there: it is blanked, or finer
+/// levels of AMR have its place.
+constexpr bool IsHiddenCell(unsigned char type)
+{
+  return (type & (vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL)) != 0;
+}
+
 /// Ghost types of the cells, or null.
 const unsigned char* GetGhosts(vtkPointSet* input, vtkIdType numberOfCells);
+
+/// Whether there are duplicate cells: the parts of a mesh, which touch, have them around them.
+bool HasDuplicates(vtkPointSet* input);
 
 /// The dimension of the simplices that cells of a type become, also of FaceLoops
 /// (PolyhedronFaces.h), which VTK does not know; -1 for a type that is not supported.

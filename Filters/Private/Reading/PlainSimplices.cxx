@@ -129,9 +129,7 @@ bool IsPlain(const CellReader::Part& part, int dimension, vtkIdType begin, vtkId
 
 bool HasHidden(const unsigned char* ghosts, vtkIdType begin, vtkIdType end)
 {
-  return ghosts &&
-    std::any_of(ghosts + begin, ghosts + end,
-      [](unsigned char type) { return type & vtkDataSetAttributes::HIDDENCELL; });
+  return ghosts && std::any_of(ghosts + begin, ghosts + end, IsHiddenCell);
 }
 
 }

@@ -21,6 +21,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -31,6 +32,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -146,19 +148,21 @@ vtkSmartPointer<vtkCellArray> MakeBoxes(const int* dimensions, bool aligned, int
   return array;
 }
 
-/// Hides the cells at hidden points.
-void HideCells(vtkUnstructuredGrid* grid)
+/// A mesh whose cells at hidden points are hidden: the mesh itself, if there are no such points.
+vtkSmartPointer<vtkPointSet> HideCells(vtkPointSet* mesh)
 {
   constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
-  vtkUnsignedCharArray* ofPoints = grid->GetPointGhostArray();
+  vtkUnsignedCharArray* ofPoints = mesh->GetPointGhostArray();
   const vtkIdType points = ofPoints ? ofPoints->GetNumberOfValues() : 0;
-  if (!ofPoints || points < grid->GetNumberOfPoints() ||
+  if (!ofPoints || points < mesh->GetNumberOfPoints() ||
     std::none_of(
       ofPoints->GetPointer(0), ofPoints->GetPointer(0) + points,
       [](unsigned char type) { return type & hidden; }))
   {
-    return;
+    return mesh;
   }
+  auto grid = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
+  grid->ShallowCopy(mesh);
   const CellReader reader(grid);
   vtkNew<vtkUnsignedCharArray> types;
   types->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -179,6 +183,68 @@ void HideCells(vtkUnstructuredGrid* grid)
     }
   }
   grid->GetCellData()->AddArray(types);
+  return grid;
+}
+
+/// The volume of a box with its corners in the order of VTK_VOXEL or VTK_HEXAHEDRON, times eight:
+/// by the edges at each corner.
+double MeasureBox(vtkPoints* points, const CellIds& box, bool isVoxel)
+{
+  double at[8][3];
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const int stored = isVoxel || corner % 4 < 2 ? corner : corner ^ 1;
+    points->GetPoint(box.Ids[stored], at[corner]);
+  }
+  double volume = 0.;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    double edges[3][3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      vtkMath::Subtract(at[corner | 1 << axis], at[corner & ~(1 << axis)], edges[axis]);
+    }
+    volume += vtkMath::Determinant3x3(edges);
+  }
+  return std::isfinite(volume) ? volume : 0.;
+}
+
+/// Turns the boxes of a left-handed grid, in which more volume is negative than positive.
+void TurnLeftHanded(vtkUnstructuredGrid* grid)
+{
+  const CellReader reader(grid);
+  const vtkIdType size = reader.GetNumberOfCells();
+  const int type = size > 0 ? reader.GetCellType(0) : VTK_EMPTY_CELL;
+  const bool isVoxel = type == VTK_VOXEL;
+  double volume = 0.;
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(isVoxel || type == VTK_HEXAHEDRON ? size : vtkIdType(0)))
+  {
+    const CellIds box = reader.GetCell(c, scratch);
+    const bool isBox = box.Size == 8 &&
+      std::all_of(box.Ids, box.Ids + 8,
+        [grid](vtkIdType id) { return id >= 0 && id < grid->GetNumberOfPoints(); });
+    volume += isBox ? MeasureBox(grid->GetPoints(), box, isVoxel) : 0.;
+  }
+  if (volume >= 0.)
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> turned;
+  turned->DeepCopy(grid->GetCells()); // an explicit grid shares its cells
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType c : InTurn(size))
+  {
+    turned->GetCellAtId(c, ids);
+    for (vtkIdType i = 0; i < 4 && ids->GetNumberOfIds() == 8; ++i)
+    {
+      const vtkIdType low = ids->GetId(i);
+      ids->SetId(i, ids->GetId(i + 4));
+      ids->SetId(i + 4, low);
+    }
+    turned->ReplaceCellAtId(c, ids);
+  }
+  grid->SetCells(type, turned);
 }
 
 /// Null where the input is not structured.
@@ -211,7 +277,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadStructured(vtkDataSet* data)
     return nullptr;
   }
   ShareArrays(data, grid);
-  HideCells(grid);
+  TurnLeftHanded(grid);
   return grid;
 }
 
@@ -314,10 +380,7 @@ private:
     Taken
   };
 
-  bool IsHidden(vtkIdType cell) const
-  {
-    return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL);
-  }
+  bool IsHidden(vtkIdType cell) const { return this->Ghosts && IsHiddenCell(this->Ghosts[cell]); }
   /// Cells with a wrong number of points are left as they are, and CheckCells tells of them.
   bool TakesCorners(int type, vtkIdType cell, vtkIdType size)
   {
@@ -435,22 +498,24 @@ vtkSmartPointer<vtkDataObject> MakeReadable(
   auto readable = ChangeMeshes(input,
     [&](vtkDataObject* mesh, unsigned int block) -> vtkSmartPointer<vtkDataObject>
     {
-      if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+      auto* data = vtkDataSet::SafeDownCast(mesh);
+      const auto structured = data ? ReadStructured(data) : nullptr;
+      auto* points = structured ? structured : vtkPointSet::SafeDownCast(mesh);
+      if (!points)
+      {
+        return mesh;
+      }
+      const auto shown = HideCells(points);
+      auto* grid = vtkUnstructuredGrid::SafeDownCast(shown);
+      if (grid && !structured)
       {
         CellWriter writer(grid, rule);
         if (writer.IsNeeded())
         {
           return writer.Write(done, block);
         }
-        return mesh;
       }
-      auto* data = vtkDataSet::SafeDownCast(mesh);
-      const auto structured = data ? ReadStructured(data) : nullptr;
-      if (structured)
-      {
-        return structured;
-      }
-      return mesh;
+      return shown;
     });
   if (done.Cells > 0)
   {

@@ -35,7 +35,9 @@ vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
  * Makes a mesh, or the blocks of a composite data set, readable:
  *  - vtkImageData and vtkRectilinearGrid become grids of voxels or pixels, vtkStructuredGrid and
  *    vtkExplicitStructuredGrid of hexahedra or quads; along an axis of one point they are flat.
- *    Cells that are hidden, or have a hidden point (vtkGhostType), become hidden cells.
+ *    Where the solids of such a grid are inside out in the mean, because it is left-handed, all
+ *    are turned.
+ *  - Cells that have a hidden point (vtkGhostType) become hidden cells.
  *  - Polyhedra become the loops of PolyhedronFaces.h. Such a grid is for CellReader only.
  *  - With NonLinearRule::Corners non-linear cells become linear ones. A warning counts them and the
  *    nodes that no cell uses any more.

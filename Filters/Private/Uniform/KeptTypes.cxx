@@ -68,7 +68,7 @@ public:
       {
         break;
       }
-      if (!this->Ghosts || !(this->Ghosts[cell] & vtkDataSetAttributes::HIDDENCELL))
+      if (!this->Ghosts || !IsHiddenCell(this->Ghosts[cell]))
       {
         this->Read(cell, this->Reader.GetCell(cell, scratch));
       }

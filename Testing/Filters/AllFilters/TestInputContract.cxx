@@ -6,10 +6,14 @@
  */
 #include "FeatureTools.h"
 
+#include "Private/Reading/ReadableMesh.h"
+
 #include "vtkRedGreenRefinement.h"
 
 #include "vtkBitArray.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
 
 #include <cstdlib>
@@ -114,6 +118,48 @@ Case Ghosts(const std::vector<unsigned char>& types)
       std::copy(types.begin(), types.end(), array->GetPointer(0));
       return array;
     });
+}
+
+/// The tetrahedra in blocks: each of a block of its own, or, with several `values`, both in a block
+/// for each of these; `shift`: how far apart the blocks are along x.
+Case InBlocks(
+  const std::vector<double>& values, double shift, bool withIds, bool areNeighbours = false)
+{
+  return [=](Trial& trial)
+  {
+    const auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+    const bool areParts = values.size() == 1 || areNeighbours;
+    for (unsigned int b = 0; b < 2; ++b)
+    {
+      const Cell cell = trial.Cells[b];
+      std::vector<Point> points = trial.Points;
+      for (Point& p : points)
+      {
+        p[0] += b * shift;
+      }
+      const Grid grid = MakeGrid(
+        areParts ? std::vector<Point>() : points, areParts ? std::vector<Cell>() : trial.Cells);
+      if (areParts)
+      {
+        std::vector<Point> own;
+        for (const vtkIdType id : cell.Points)
+        {
+          own.push_back(points[id]);
+        }
+        grid->ShallowCopy(MakeGrid(own, { { VTK_TETRA, { 0, 1, 2, 3 } } }));
+      }
+      grid->GetPointData()->AddArray(
+        MakeFilled<vtkDoubleArray>("values", grid->GetNumberOfPoints(), values[b % values.size()]));
+      if (withIds)
+      {
+        const auto ids = MakeNamed<vtkIdTypeArray>("ids", 1, grid->GetNumberOfPoints());
+        std::iota(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(), 0);
+        grid->GetPointData()->SetGlobalIds(ids);
+      }
+      blocks->SetBlock(b, grid);
+    }
+    trial.Other = blocks;
+  };
 }
 
 Case GlobalIds(const std::vector<vtkIdType>& ids)
@@ -257,7 +303,30 @@ const std::map<std::string, Case>& GetCases()
     { "hidden-cell", Ghosts({ vtkDataSetAttributes::HIDDENCELL, 0 }) },
     { "all-hidden",
       Ghosts({ vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::HIDDENCELL }) },
+    { "refined-cell", Ghosts({ vtkDataSetAttributes::REFINEDCELL, 0 }) },
+    { "hidden-point",
+      [](Trial& trial)
+      {
+        trial.Change = [](vtkUnstructuredGrid* grid)
+        {
+          const auto types =
+            MakeFilled<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), 5, 0.);
+          types->SetValue(0, vtkDataSetAttributes::HIDDENPOINT);
+          grid->GetPointData()->AddArray(types);
+        };
+      } },
     { "duplicate-ghost", Ghosts({ vtkDataSetAttributes::DUPLICATECELL, 0 }) },
+    { "duplicate-thin",
+      [](Trial& trial)
+      {
+        Ghosts({ vtkDataSetAttributes::DUPLICATECELL, 0 })(trial);
+        trial.Set = [](Filter* filter) { filter->SetNumberOfLevels(2); };
+      } },
+    // Blocks
+    { "blocks", InBlocks({ 1. }, 0., false) },
+    { "blocks-cases", InBlocks({ 300., 450. }, 0., false) },
+    { "blocks-other-values", InBlocks({ 300., 450. }, 0., false, true) },
+    { "blocks-same-ids", InBlocks({ 1., 1. }, 100., true) },
     { "ghosts-short", Ghosts({ vtkDataSetAttributes::HIDDENCELL }) },
     // Options
     { "levels-negative", With([](Filter* filter) { filter->SetNumberOfLevels(-3); }) },
@@ -296,6 +365,14 @@ const std::map<std::string, Case>& GetCases()
     { "no-input", [](Trial& trial) { trial.HasInput = false; } },
     { "empty-grid",
       [](Trial& trial) { trial.Other = vtkSmartPointer<vtkUnstructuredGrid>::New(); } },
+    { "left-handed",
+      [](Trial& trial)
+      {
+        const auto image = vtkSmartPointer<vtkImageData>::New();
+        image->SetDimensions(2, 2, 2);
+        image->SetDirectionMatrix(-1, 0, 0, 0, 1, 0, 0, 0, 1);
+        trial.Other = image;
+      } },
     { "no-cells", [](Trial& trial) { trial.Cells.clear(); } },
     { "no-points", [](Trial& trial) { trial.Points.clear(); } },
     { "wrong-class", [](Trial& trial) { trial.Other = vtkSmartPointer<vtkTable>::New(); } },
@@ -391,9 +468,18 @@ Row Try(const Case& make)
     : warnings.size() == 1   ? "warning"
                              : std::to_string(warnings.size()) + " warnings";
   row.Message = !errors.empty() ? Plain(errors[0]) : warnings.empty() ? "" : Plain(warnings[0]);
-  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
-  row.Points = std::to_string(output ? output->GetNumberOfPoints() : 0);
-  row.Cells = std::to_string(output ? output->GetNumberOfCells() : 0);
+  vtkIdType points = 0;
+  vtkIdType cells = 0;
+  subdivision::ChangeMeshes(filter->GetOutputDataObject(0),
+    [&](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* output = vtkUnstructuredGrid::SafeDownCast(mesh);
+      points += output ? output->GetNumberOfPoints() : 0;
+      cells += output ? output->GetNumberOfCells() : 0;
+      return mesh;
+    });
+  row.Points = std::to_string(points);
+  row.Cells = std::to_string(cells);
   return row;
 }
 
