@@ -8,6 +8,7 @@
 #include "Private/Control/CoincidentPoints.h"
 #include "Private/Control/FilterRun.h"
 #include "Private/Control/MaterialFields.h"
+#include "Private/Control/MissingValues.h"
 #include "Private/Control/ToldWarnings.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
@@ -255,9 +256,13 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
         {
           options.Warn(thin);
         }
-        return (this->HasInterfaces()
-            ? subdivision::RunWithMaterialFields(mesh, subdivided, options, fields, run)
-            : run(mesh, subdivided));
+        const auto runMesh = [&](vtkPointSet* masked, vtkPointSet* to)
+        {
+          return this->HasInterfaces()
+            ? subdivision::RunWithMaterialFields(masked, to, options, fields, run)
+            : run(masked, to);
+        };
+        return subdivision::RunWithMissingValues(mesh, subdivided, options, runMesh);
       });
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? made.Get() : nullptr);
   options.Part = all.Take(0.95, 1.);

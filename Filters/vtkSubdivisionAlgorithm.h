@@ -151,9 +151,10 @@ public:
    * vtkMultiDimensionalSubdivision, vtkSurfaceSubdivision (with schemes that have limits) and
    * vtkRedGreenRefinement (with Placement LIMIT); other filters warn and ignore it. Ranks that have
    * parts of a mesh solve together, and find the control points that one process finds. In a row of
-   * filters switch it on in all or in the first: later ones leave what is solved as it is. A
-   * warning says so if 40 products with the limit operator do not reach an error of 1e-10 of the
-   * range (single precision: of its rounding). Off by default.
+   * filters switch it on in all or in the first: later ones leave what is solved as it is. Where 40
+   * products with the limit operator do not reach an error of 1e-10 of the range (single precision:
+   * of its rounding), the filter factorises the matrix; a warning says so if there is no solution,
+   * or the factors take more than the memory or half a minute. Off by default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);
@@ -164,8 +165,9 @@ public:
   /**
    * The same for the values of floating point arrays at points: those of AddInterpolatedArray, or
    * all if there are none. Between the points values may exceed the range of the input's; a warning
-   * says by how much. Values that are not finite, and those around them, stay what they are. Off by
-   * default.
+   * says by how much. Values that are not finite are missing: they, and those whose limits they
+   * take part in, stay what they are, and all others are solved for without them. With
+   * InterfaceValues DISCONTINUOUS errors are parts of the range of each material. Off by default.
    */
   vtkSetMacro(InterpolateArrays, bool);
   vtkGetMacro(InterpolateArrays, bool);

@@ -185,6 +185,27 @@ TEST(PartitionsInterpolation, OfALargeMeshAreNotTheWhole)
   }
 }
 
+// Where the iteration is too slow, the first part solves for all with the matrix of the whole.
+TEST(PartitionsInterpolation, SolveDirectlyTogether)
+{
+  const Mesh sheet = MakeSkin(MakeMixedBox(5));
+  int warnings = 0;
+  for (const auto scheme :
+    { subdivision::SurfaceSchemeKind::FourEight, subdivision::SurfaceSchemeKind::CatmullClark })
+  {
+    for (std::size_t cut = 0; cut < std::size(Partitions); ++cut)
+    {
+      SurfaceOptions options;
+      InterpolateAll(options);
+      options.Warn = [&](const std::string& text)
+      { warnings += text.find("does not pass") != std::string::npos ? 1 : 0; };
+      options.Scheme = scheme;
+      ExpectPartsAreWhole(sheet, Choices[0], options);
+    }
+  }
+  EXPECT_EQ(warnings, 0);
+}
+
 // Operators are used again where values change, also values that only another part has.
 TEST(PartitionsInterpolation, KeepOperators)
 {

@@ -2,6 +2,8 @@
 #include "Core/Operators/Interpolation.h"
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Operators/DirectSolver.h"
+#include "Core/Operators/MatrixFactors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,18 +28,22 @@ public:
     : Limit(limit)
     , Limits(limits)
     , Groups(groups)
+    , Given(given)
     , Shifts(shifts)
   {
     for (std::size_t g = 0; g < groups.size(); ++g)
     {
-      const std::size_t first = this->GroupOfComponent.size();
-      this->GroupOfComponent.insert(this->GroupOfComponent.end(), groups[g].Components, g);
+      const auto materials = static_cast<std::size_t>(groups[g].NumberOfMaterials);
       for (int c = 0; c < groups[g].Components * groups[g].Fields; ++c)
       {
         const int field = c / groups[g].Components;
-        this->Columns.push_back({ g, first + c % groups[g].Components, groups[g].Fields,
-          groups[g].Factors ? groups[g].Factors + field : nullptr });
+        const auto component = static_cast<std::size_t>(c % groups[g].Components);
+        this->Columns.push_back({ g, this->Units.size() + materials * component, groups[g].Fields,
+          groups[g].Factors ? groups[g].Factors + field : nullptr,
+          groups[g].Materials ? groups[g].Materials + field : nullptr });
       }
+      this->Units.resize(
+        this->Units.size() + materials * static_cast<std::size_t>(groups[g].Components));
     }
     const vtkIdType size = limit.GetNumberOfRows() * this->GetColumns();
     this->Residuals = Buffer<double>(size);
@@ -45,23 +51,18 @@ public:
     this->Steps = Buffer<double>(size, 0.);
     std::fill_n(shifts, size, 0.);
     this->HasEnded.assign(groups.size(), 0);
-    this->FindRanges(given);
-    this->Multiply(given);
-    ForEach(size, [&](vtkIdType i)
-      { this->Residuals[i] = this->HasValue(i) ? given[i] - this->Products[i] : 0.; });
+    this->FindRanges();
+    this->Start();
   }
 
-  /// Gives group g no more than most[g] products. Returns after which the error was least.
-  std::vector<int> Solve(const std::vector<int>& most)
+  void Solve()
   {
     const double middle = (1. + this->Limits.LeastEigenvalue) / 2.;
     const double half = (1. - this->Limits.LeastEigenvalue) / 2.;
-    std::vector<int> best(this->Groups.size(), 1);
-    std::vector<double> least(this->Groups.size(), std::numeric_limits<double>::infinity());
     double ratio = half / middle;
     double ofStep = 0.;
     double ofResidual = 1. / middle;
-    for (int products = 1; this->GoOn(products, most, best, least); ++products)
+    for (int products = 1; this->GoOn(products); ++products)
     {
       this->Advance(ofStep, ofResidual);
       const double next = 1. / (2. * middle / half - ratio);
@@ -69,16 +70,75 @@ public:
       ofResidual = 2. * next / half;
       ratio = next;
     }
-    return best;
+  }
+
+  /// Solves for the columns of groups that did not converge. If these do not now either, their
+  /// shifts are those of the iteration, or none, whatever is nearer.
+  void SolveDirectly()
+  {
+    Buffer<double> shifts(this->Steps.size());
+    CopyInThreads(this->Shifts, shifts.size(), shifts.data());
+    this->Start();
+    const std::vector<double> without = this->FindErrors();
+    const vtkIdType columns = this->GetColumns();
+    const WholeSystem whole = this->Limits.FindWhole ? this->Limits.FindWhole()
+                                                     : WholeSystem(this->Limit.GetNumberOfRows());
+    MatrixFactors factors;
+    factors.Append(this->Limit);
+    const MatrixFactors::Matrix matrix = factors.Multiply();
+    Direct direct;
+    for (int column = 0; column < columns; ++column)
+    {
+      InterpolationGroup& group = this->Groups[this->Columns[column].Group];
+      if (!group.HasConverged)
+      {
+        this->Factorise(column, matrix, whole, direct);
+        group.IsTooLarge = !direct.Fits;
+        ForEach(matrix.GetNumberOfRows(),
+          [&](vtkIdType row) { this->Shifts[columns * row + column] = 0.; });
+        for (int round = 0; direct.Fits && round < 3; ++round)
+        {
+          this->SolveOnce(column, whole, direct.Solver);
+        }
+      }
+    }
+    const std::vector<double> errors = this->FindErrors();
+    std::vector<double> factorsOfShifts(errors.size(), -1.); // they stay
+    for (std::size_t g = 0; g < errors.size(); ++g)
+    {
+      InterpolationGroup& group = this->Groups[g];
+      if (!group.HasConverged)
+      {
+        group.HasConverged = !group.IsTooLarge && errors[g] <= 1.;
+        const double least = this->Limits.Tolerance * without[g];
+        factorsOfShifts[g] = group.HasConverged ? -1. : group.Error < least ? 1. : 0.;
+        group.Error = std::min(group.Error, least);
+      }
+    }
+    ForEach(shifts.size(),
+      [&](vtkIdType i)
+      {
+        const double factor = factorsOfShifts[this->Columns[i % columns].Group];
+        this->Shifts[i] = factor < 0. ? this->Shifts[i] : factor == 0. ? 0. : shifts[i];
+      });
   }
 
 private:
+  /// The factors of a part of the rows, and these.
+  struct Direct
+  {
+    DirectSolver Solver;
+    std::vector<double> Rows;
+    bool Fits = false;
+  };
+
   struct Column
   {
     std::size_t Group;
-    std::size_t Component;
+    std::size_t Slot; ///< the first of its component, which has one for each material
     vtkIdType Fields;
     const double* Factors; ///< null: 1
+    const int* Materials;  ///< null: 0
   };
 
   int GetColumns() const { return static_cast<int>(this->Columns.size()); }
@@ -92,13 +152,22 @@ private:
   /// Whether the field of a column has a value in a row.
   bool HasValue(vtkIdType i) const { return this->GetFactor(i) != 0.; }
 
-  /// The largest value(i) of each component, over all finite ones that a field has.
-  template <typename Value>
-  std::vector<double> FindLargest(const Value& value) const
+  /// Where a value counts: with its component of its material.
+  std::size_t GetSlot(vtkIdType i) const
   {
     const vtkIdType columns = this->GetColumns();
-    std::vector<double> largest(
-      this->GroupOfComponent.size(), -std::numeric_limits<double>::infinity());
+    const Column& column = this->Columns[i % columns];
+    const int* material = column.Materials;
+    return column.Slot +
+      static_cast<std::size_t>(material ? material[column.Fields * (i / columns)] : 0);
+  }
+
+  /// The largest value(i) for each place(i), over all finite ones that a field has.
+  template <typename Place, typename Value>
+  std::vector<double> FindLargest(std::size_t size, const Place& place, const Value& value) const
+  {
+    const vtkIdType columns = this->GetColumns();
+    std::vector<double> largest(size, -std::numeric_limits<double>::infinity());
     std::mutex mutex;
     ForRanges(this->Limit.GetNumberOfRows(),
       [&](vtkIdType begin, vtkIdType end)
@@ -107,7 +176,7 @@ private:
         for (vtkIdType i = columns * begin; i < columns * end; ++i)
         {
           const double v = value(i);
-          double& most = here[this->Columns[i % columns].Component];
+          double& most = here[place(i)];
           most = std::isfinite(v) && v > most && this->HasValue(i) ? v : most;
         }
         const std::lock_guard<std::mutex> lock(mutex);
@@ -121,52 +190,69 @@ private:
     return largest;
   }
 
-  /// Finds the range of each group, which is the largest of its components, and the error that it
-  /// may have.
-  void FindRanges(const double* given)
+  /// Finds the ranges, and the error that each value may have: a part of that of its material,
+  /// which is the largest of its components.
+  void FindRanges()
   {
-    const std::vector<double> high = this->FindLargest([&](vtkIdType i) { return given[i]; });
-    const std::vector<double> low = this->FindLargest([&](vtkIdType i) { return -given[i]; });
-    this->Ranges.assign(this->Groups.size(), 0.);
-    this->Allowed.assign(this->Groups.size(), 0.);
+    const auto place = [&](vtkIdType i) { return this->GetSlot(i); };
+    const std::vector<double> high =
+      this->FindLargest(this->Units.size(), place, [&](vtkIdType i) { return this->Given[i]; });
+    const std::vector<double> low =
+      this->FindLargest(this->Units.size(), place, [&](vtkIdType i) { return -this->Given[i]; });
+    std::size_t first = 0;
     for (InterpolationGroup& group : this->Groups)
     {
+      const auto materials = static_cast<std::size_t>(group.NumberOfMaterials);
+      std::vector<double> allowed(materials, std::numeric_limits<double>::min());
       group.Range.clear();
+      for (int c = 0; c < group.Components; ++c, first += materials)
+      {
+        group.Range.push_back(-*std::max_element(&low[first], &low[first] + materials));
+        group.Range.push_back(*std::max_element(&high[first], &high[first] + materials));
+        for (std::size_t m = 0; m < materials; ++m)
+        {
+          const double most = high[first + m];
+          const double least = low[first + m];
+          allowed[m] = std::max({ allowed[m], LimitUnit * most, LimitUnit * least,
+            this->Limits.Tolerance * (most + least) });
+        }
+      }
+      const std::size_t from = first - materials * static_cast<std::size_t>(group.Components);
+      for (std::size_t slot = from; slot < first; ++slot)
+      {
+        this->Units[slot] = 1. / allowed[(slot - from) % materials];
+      }
     }
-    for (std::size_t c = 0; c < this->GroupOfComponent.size(); ++c)
+  }
+
+  /// The errors of groups, 1 where they are as large as they may be.
+  std::vector<double> FindErrors() const
+  {
+    const vtkIdType columns = this->GetColumns();
+    std::vector<double> errors = this->FindLargest(
+      this->Groups.size(), [&](vtkIdType i) { return this->Columns[i % columns].Group; },
+      [&](vtkIdType i) { return std::abs(this->Residuals[i]) * this->Units[this->GetSlot(i)]; });
+    for (double& error : errors)
     {
-      const std::size_t g = this->GroupOfComponent[c];
-      this->Groups[g].Range.insert(this->Groups[g].Range.end(), { -low[c], high[c] });
-      this->Ranges[g] = std::max(this->Ranges[g], high[c] + low[c]);
-      this->Allowed[g] = std::max({ this->Allowed[g], LimitUnit * high[c], LimitUnit * low[c],
-        this->Limits.Tolerance * this->Ranges[g] });
+      error = std::max(error, 0.); // there may be no values
     }
+    return errors;
   }
 
   /// Ends groups that have converged, and those that may have no more products. Returns whether
   /// there are others.
-  bool GoOn(
-    int products, const std::vector<int>& most, std::vector<int>& best, std::vector<double>& least)
+  bool GoOn(int products)
   {
-    std::vector<double> errors(this->Groups.size(), 0.);
-    const std::vector<double> ofComponents =
-      this->FindLargest([&](vtkIdType i) { return std::abs(this->Residuals[i]); });
-    for (std::size_t c = 0; c < ofComponents.size(); ++c)
-    {
-      double& error = errors[this->GroupOfComponent[c]];
-      error = std::max(error, ofComponents[c]);
-    }
+    const std::vector<double> errors = this->FindErrors();
     for (std::size_t g = 0; g < this->Groups.size(); ++g)
     {
       if (!this->HasEnded[g])
       {
         InterpolationGroup& group = this->Groups[g];
         group.Products = products;
-        group.Error = this->Ranges[g] > 0. ? errors[g] / this->Ranges[g] : 0.;
-        group.HasConverged = errors[g] <= this->Allowed[g];
-        best[g] = errors[g] < least[g] ? products : best[g];
-        least[g] = std::min(least[g], errors[g]);
-        this->HasEnded[g] = group.HasConverged || products >= most[g];
+        group.Error = errors[g] * this->Limits.Tolerance;
+        group.HasConverged = errors[g] <= 1.;
+        this->HasEnded[g] = group.HasConverged || products >= this->Limits.MostProducts;
       }
     }
     return std::count(this->HasEnded.begin(), this->HasEnded.end(), 0) > 0;
@@ -184,6 +270,20 @@ private:
           std::isfinite(residual) ? ofStep * this->Steps[i] + ofResidual * residual : 0.;
         this->Shifts[i] += this->HasEnded[this->Columns[i % columns].Group] ? 0. : this->Steps[i];
       });
+    this->Subtract();
+  }
+
+  /// Sets the residuals to those without shifts.
+  void Start()
+  {
+    this->Multiply(this->Given);
+    ForEach(this->Residuals.size(), [&](vtkIdType i)
+      { this->Residuals[i] = this->HasValue(i) ? this->Given[i] - this->Products[i] : 0.; });
+  }
+
+  /// Sets the residuals to those after the steps.
+  void Subtract()
+  {
     this->Multiply(this->Steps.data());
     ForEach(this->Steps.size(),
       [&](vtkIdType i)
@@ -191,6 +291,98 @@ private:
         double& residual = this->Residuals[i];
         residual -= std::isfinite(residual) ? this->Products[i] : 0.;
       });
+  }
+
+  // ----------------------------------------------------------------------------------------------
+
+  /// Whether a shift is looked for.
+  bool IsUnknown(vtkIdType i) const
+  {
+    return this->HasValue(i) && std::isfinite(this->Residuals[i]);
+  }
+
+  /// Makes the factors for a column, unless they are those of the one before in all parts.
+  void Factorise(
+    int column, const MatrixFactors::Matrix& matrix, const WholeSystem& whole, Direct& direct) const
+  {
+    const vtkIdType columns = this->GetColumns();
+    std::vector<double> rows;
+    for (const vtkIdType row : InTurn(matrix.GetNumberOfRows()))
+    {
+      const vtkIdType i = columns * row + column;
+      if (!whole.AreOwn[row] || !this->IsUnknown(i))
+      {
+        continue;
+      }
+      rows.insert(rows.end(), { static_cast<double>(whole.Numbers[row]), 0. });
+      const std::size_t count = rows.size() - 1;
+      for (vtkIdType k = matrix.Offsets[row]; k < matrix.Offsets[row + 1]; ++k)
+      {
+        const vtkIdType other = matrix.Columns[k];
+        if (whole.Numbers[other] >= 0 && this->IsUnknown(columns * other + column))
+        {
+          rows.insert(rows.end(),
+            { static_cast<double>(whole.Numbers[other]), matrix.Weights[k] * this->GetFactor(i) });
+          rows[count] += 1.;
+        }
+      }
+    }
+    std::vector<double> isNew{ rows == direct.Rows ? 0. : 1. };
+    if (this->Limits.FindLargest)
+    {
+      this->Limits.FindLargest(isNew);
+    }
+    if (isNew[0] == 0. && direct.Fits)
+    {
+      return;
+    }
+    direct.Rows = rows;
+    std::vector<double> fits;
+    if (whole.ToSolver(rows))
+    {
+      const double most = this->Limits.FindMemory ? this->Limits.FindMemory()
+                                                  : std::numeric_limits<double>::infinity();
+      fits.push_back(direct.Solver.Factorise(whole.Size, rows, most) ? 1. : 0.);
+    }
+    whole.FromSolver(fits);
+    direct.Fits = fits[0] == 1.;
+  }
+
+  /// Adds to the shifts of a column the solution for its residuals.
+  void SolveOnce(int column, const WholeSystem& whole, const DirectSolver& solver)
+  {
+    const vtkIdType columns = this->GetColumns();
+    const vtkIdType rows = this->Limit.GetNumberOfRows();
+    std::vector<double> sent; // pairs of numbers and residuals
+    for (const vtkIdType row : InTurn(rows))
+    {
+      if (whole.AreOwn[row] && this->IsUnknown(columns * row + column))
+      {
+        sent.insert(sent.end(),
+          { static_cast<double>(whole.Numbers[row]), this->Residuals[columns * row + column] });
+      }
+    }
+    std::vector<double> values;
+    if (whole.ToSolver(sent))
+    {
+      values.assign(static_cast<std::size_t>(whole.Size), 0.);
+      for (std::size_t at = 0; at < sent.size(); at += 2)
+      {
+        values[static_cast<std::size_t>(sent[at])] = sent[at + 1];
+      }
+      solver.Solve(values);
+    }
+    whole.FromSolver(values);
+    ForEach(this->Steps.size(), [&](vtkIdType i) { this->Steps[i] = 0.; });
+    ForEach(rows,
+      [&](vtkIdType row)
+      {
+        const vtkIdType i = columns * row + column;
+        this->Steps[i] =
+          this->IsUnknown(i) && whole.Numbers[row] >= 0 ? values[whole.Numbers[row]] : 0.;
+        this->Shifts[i] += this->Steps[i];
+      });
+    this->Subtract();
   }
 
   void Multiply(const double* values)
@@ -211,13 +403,12 @@ private:
   const InterpolationLimits& Limits;
   std::vector<InterpolationGroup>& Groups;
   std::vector<Column> Columns;
-  std::vector<std::size_t> GroupOfComponent; ///< of the components of all groups
+  const double* Given;
   double* Shifts;
   Buffer<double> Residuals; ///< NaN where there is no shift
   Buffer<double> Products;
   Buffer<double> Steps;
-  std::vector<double> Ranges;
-  std::vector<double> Allowed;
+  std::vector<double> Units; ///< of each slot, 1 / the error that a value may have
   std::vector<char> HasEnded;
 };
 
@@ -226,13 +417,12 @@ private:
 void FindInterpolation(const PointOperator& limit, const double* given,
   std::vector<InterpolationGroup>& groups, const InterpolationLimits& limits, double* shifts)
 {
-  const std::vector<int> most(groups.size(), limits.MostProducts);
-  const std::vector<int> best = Chebyshev(limit, given, groups, limits, shifts).Solve(most);
-  const bool isBest = std::equal(groups.begin(), groups.end(), best.begin(),
-    [](const InterpolationGroup& group, int products) { return group.Products == products; });
-  if (!isBest)
+  Chebyshev solver(limit, given, groups, limits, shifts);
+  solver.Solve();
+  if (!std::all_of(groups.begin(), groups.end(),
+        [](const InterpolationGroup& group) { return group.HasConverged; }))
   {
-    Chebyshev(limit, given, groups, limits, shifts).Solve(best);
+    solver.SolveDirectly();
   }
 }
 

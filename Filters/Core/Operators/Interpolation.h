@@ -8,7 +8,8 @@
  * needs no inner products, so that the bits of the result depend neither on the number of threads
  * nor on what else is solved for. Rows of L are means, so that no eigenvalue exceeds 1. The lower
  * bound is a guess: with smaller eigenvalues, as long as they are positive, the iteration converges
- * more slowly.
+ * more slowly. Columns for which it is too slow are solved for directly (DirectSolver.h), if L has
+ * factors that fit into memory.
  */
 #ifndef SubdivisionObjects_Interpolation_h
 #define SubdivisionObjects_Interpolation_h
@@ -17,6 +18,7 @@
 #include "Core/Rules/LoopWeights.h"
 
 #include <functional>
+#include <numeric>
 #include <vector>
 
 namespace subdivision
@@ -28,6 +30,28 @@ constexpr double GetLeastEigenvalue(LoopWeights weights)
 {
   return weights == LoopWeights::Loop ? 1. / 8. : 1. / 6.;
 }
+
+/// The rows of all parts of a mesh as those of one matrix, which one part solves with.
+struct WholeSystem
+{
+  /// Where there is one part.
+  explicit WholeSystem(vtkIdType size)
+    : Size(size)
+    , Numbers(static_cast<std::size_t>(size))
+    , AreOwn(static_cast<std::size_t>(size), 1)
+  {
+    std::iota(this->Numbers.begin(), this->Numbers.end(), vtkIdType(0));
+  }
+
+  vtkIdType Size;
+  std::vector<vtkIdType> Numbers; ///< of the rows here; -1 where no part has the row
+  std::vector<char> AreOwn;       ///< which rows are right here
+  /// Replaces numbers by those of all parts one after the other, in the part that solves. Returns
+  /// whether this one does.
+  std::function<bool(std::vector<double>&)> ToSolver = [](std::vector<double>&) { return true; };
+  /// Replaces numbers by those of the part that solves.
+  std::function<void(std::vector<double>&)> FromSolver = [](std::vector<double>&) {};
+};
 
 struct InterpolationLimits
 {
@@ -41,6 +65,10 @@ struct InterpolationLimits
   std::function<void(double* values, int components)> TakeOthers;
   /// Sets each value to the largest of all parts; empty where there is one part.
   std::function<void(std::vector<double>& values)> FindLargest;
+  /// Makes the whole of the parts; empty where there is one.
+  std::function<WholeSystem()> FindWhole;
+  /// How many bytes a direct solution may take; empty: any number.
+  std::function<double()> FindMemory;
 };
 
 /**
@@ -54,16 +82,21 @@ struct InterpolationGroup
   /// What the limits of each field are multiplied by in each row, to be means of values of the
   /// field; 0 where it has none. Null: all are 1.
   const double* Factors = nullptr;
+  /// The material of each field in each row, from 0 to NumberOfMaterials - 1: each has a range of
+  /// its own. Null: all are one.
+  const int* Materials = nullptr;
+  int NumberOfMaterials = 1;
   int Products = 0;  ///< of L, until the error was small enough
   double Error = 0.; ///< the largest distance of a limit from its value, as a part of the range
   bool HasConverged = false;
+  bool IsTooLarge = false;        ///< to be solved for directly
   std::vector<double> Range = {}; ///< the least and the largest value of each component
 };
 
 /**
  * Finds the shifts c - d. `given` has the columns of all groups, interleaved. A value that is not
- * finite, or whose limit would not be, is not shifted. A group that does not converge gets the
- * shifts with the least error.
+ * finite, or whose limit would not be, is not shifted, and all others are solved for without it. A
+ * group that neither converges nor has a direct solution gets those of the iteration, or none.
  */
 void FindInterpolation(const PointOperator& limit, const double* given,
   std::vector<InterpolationGroup>& groups, const InterpolationLimits& limits, double* shifts);

@@ -109,6 +109,32 @@ public:
       });
   }
 
+  /// Gives the fields of each material a range of their own. `cells` have the centres, which have
+  /// the materials of their first members.
+  void SetMaterials(const InterpolationOptions& options, const SimplicesOfCells& cells)
+  {
+    const vtkIdType points = this->Rows - cells.GetNumberOfCentres();
+    this->Materials.resize(this->Sources.size());
+    for (std::size_t s = 0; s < this->Sources.size(); ++s)
+    {
+      for (const vtkIdType i : InTurn(this->Sources[s].HasWeights ? this->Rows : vtkIdType(0)))
+      {
+        const vtkIdType point =
+          i < points ? i : cells.CentreMembers[cells.CentreOffsets[i - points]];
+        const vtkIdType first = point * (static_cast<vtkIdType>(options.Materials.size()) / points);
+        for (const auto* field : this->Sources[s].Fields)
+        {
+          this->Materials[s].push_back(options.Materials[first + GetColour((*field)->GetName())]);
+        }
+      }
+      if (this->Sources[s].HasWeights)
+      {
+        this->Groups[s].Materials = this->Materials[s].data();
+        this->Groups[s].NumberOfMaterials = options.NumberOfMaterials;
+      }
+    }
+  }
+
   void Solve(const PointOperator& limit, const InterpolationLimits& limits)
   {
     if (limits.TakeOthers)
@@ -231,6 +257,7 @@ private:
   Buffer<double> Given;
   Buffer<double> Shifts;
   Buffer<double> Factors;
+  std::vector<std::vector<int>> Materials;
 };
 
 std::string DescribeMiss(
@@ -239,9 +266,13 @@ std::string DescribeMiss(
   std::ostringstream message;
   message << "The limit does not pass through the " << what << " of the input: after "
           << limits.MostProducts << " products with the limit operator the largest error is "
-          << group.Error
-          << " of the range. The filter takes what came nearest; a smaller InterpolationWeight "
-             "helps if it is rough.";
+          << group.Error << " of the range, and "
+          << (group.IsTooLarge
+                 ? "the mesh is too large to solve for it directly. Interpolate a part of it. "
+                 : "there is no solution: on such a mesh limits cannot alternate between "
+                   "neighbours as these do. ")
+          << "The filter takes what came nearest; a smaller InterpolationWeight helps if it is "
+             "rough.";
   return message.str();
 }
 
@@ -341,6 +372,7 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
     return;
   }
   Columns columns(sources);
+  columns.SetMaterials(options, this->Cells);
   columns.Solve(limit, limits);
   for (std::size_t a = 0; a < sources.size(); ++a)
   {

@@ -55,6 +55,10 @@ struct InterpolationOptions
   bool Arrays = false;
   std::vector<std::string> Names; ///< of the arrays; none: all of floating point numbers
   double Weight = 1.;             ///< 0: given values stay control values
+  /// Where arrays have weights: the material that each point has of each colour, and how many
+  /// materials there are.
+  std::vector<int> Materials = {};
+  int NumberOfMaterials = 1;
 
   bool IsOn() const { return (this->Points || this->Arrays) && this->Weight > 0.; }
   /// What a stamp says of it.

@@ -176,7 +176,8 @@ bool BezierWriter::Fits(const Patch& patch) const
     for (int c = 0; c < this->Components; ++c)
     {
       values[c] = std::abs(values[c] - this->Values[this->Components * point + c]);
-      if (!(values[c] <= this->Allowed[c])) // also where it is not a number
+      if (values[c] > this->Allowed[c] &&
+        std::isfinite(values[c])) // missing values stay so in all cells
       {
         return false;
       }

@@ -18,18 +18,12 @@ namespace subdivision
 
 inline std::vector<char> PackIds(const std::vector<vtkIdType>& ids)
 {
-  const char* first = reinterpret_cast<const char*>(ids.data());
-  return { first, first + ids.size() * sizeof(vtkIdType) };
+  return Pack(ids);
 }
 
 inline std::vector<vtkIdType> UnpackIds(const std::vector<char>& message)
 {
-  std::vector<vtkIdType> ids(message.size() / sizeof(vtkIdType));
-  if (!ids.empty())
-  {
-    std::memcpy(ids.data(), message.data(), ids.size() * sizeof(vtkIdType));
-  }
-  return ids;
+  return Unpack<vtkIdType>(message);
 }
 
 /// Which partition keeps the things of a key: it knows who has them.

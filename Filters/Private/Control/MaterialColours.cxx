@@ -234,13 +234,15 @@ public:
     this->Colours.resize(this->Keys.size());
     this->NumberOfColours = ChooseColours(meetings, this->Colours);
   }
-  /// What a partition is answered: the number of all colours, and those of its materials.
+  /// What a partition is answered: the numbers of all colours and materials, and those of its
+  /// materials.
   Ids Answer(const Ids& told) const
   {
-    Ids answer{ this->NumberOfColours };
+    Ids answer{ this->NumberOfColours, static_cast<vtkIdType>(this->Keys.size()) };
     for (vtkIdType i = 1; i <= told[0]; ++i)
     {
-      answer.push_back(this->Colours[this->Find(told[i])]);
+      const int material = this->Find(told[i]);
+      answer.insert(answer.end(), { this->Colours[material], material });
     }
     return answer;
   }
@@ -258,9 +260,8 @@ private:
   int NumberOfColours = 1;
 };
 
-/// Chooses the colours of the materials of all partitions: the first one does.
-int ChooseTogether(
-  const Ids& keys, const Meetings& meetings, Partners& partners, std::vector<int>& colours)
+/// What AllMaterials::Answer says: the first partition chooses the colours of all materials.
+Ids ChooseTogether(const Ids& keys, const Meetings& meetings, Partners& partners)
 {
   const int first = partners.FindFirst();
   Partners::Messages messages;
@@ -280,9 +281,20 @@ int ChooseTogether(
     }
   }
   partners.Send(messages);
-  const Ids answer = UnpackIds(messages.at(first));
-  colours.assign(answer.begin() + 1, answer.end());
-  return static_cast<int>(answer[0]);
+  return UnpackIds(messages.at(first));
+}
+
+/// The same without others.
+Ids ChooseAlone(const Ids& keys, const Meetings& meetings)
+{
+  std::vector<int> colours(keys.size(), 0);
+  const int count = ChooseColours(meetings, colours);
+  Ids answer{ count, static_cast<vtkIdType>(keys.size()) };
+  for (std::size_t material = 0; material < keys.size(); ++material)
+  {
+    answer.insert(answer.end(), { colours[material], static_cast<vtkIdType>(material) });
+  }
+  return answer;
 }
 
 /// Splits cells as the work of a filter does.
@@ -317,12 +329,14 @@ ColouredSimplices::ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials,
     materialOf.push_back(hasMaximal[this->GetCell(i)] ? numbers[this->GetCell(i)] : NoMaterial);
   }
   const Meetings meetings = FindMeetings(*this, materialOf, others);
-  std::vector<int> colours(keys.size(), 0);
-  this->NumberOfColours =
-    others ? ChooseTogether(keys, meetings, *others, colours) : ChooseColours(meetings, colours);
+  const Ids chosen = others ? ChooseTogether(keys, meetings, *others) : ChooseAlone(keys, meetings);
+  this->NumberOfColours = static_cast<int>(chosen[0]);
+  this->NumberOfMaterials = static_cast<int>(chosen[1]);
   for (const int material : materialOf)
   {
-    this->Colours.push_back(material == NoMaterial ? NoColour : colours[material]);
+    const vtkIdType* both = chosen.data() + 2 + 2 * material;
+    this->Colours.push_back(material == NoMaterial ? NoColour : static_cast<int>(both[0]));
+    this->Materials.push_back(material == NoMaterial ? NoMaterial : static_cast<int>(both[1]));
   }
 }
 

@@ -50,6 +50,10 @@ struct ColouredSimplices
   std::vector<vtkIdType> Offsets; ///< of the points of each simplex
   std::vector<int> Colours;       ///< of each simplex
   int NumberOfColours = 1;
+  /// The number of the material of each simplex among those of all partitions; -1 where it has no
+  /// colour.
+  std::vector<int> Materials;
+  int NumberOfMaterials = 1;
 };
 
 /// The colours that the cells at each point of a mesh have (the cell array ColourName).

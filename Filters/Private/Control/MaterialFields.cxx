@@ -53,6 +53,25 @@ public:
   /// The mesh without fields.
   vtkSmartPointer<vtkPointSet> Get() const { return this->Mesh; }
 
+  /// The material of each point and colour.
+  void ListMaterials(InterpolationOptions& options) const
+  {
+    const int colours = this->GetNumberOfColours();
+    options.NumberOfMaterials = this->Whole.NumberOfMaterials;
+    options.Materials.assign(
+      static_cast<std::size_t>(colours * this->Mesh->GetNumberOfPoints()), 0);
+    for (const vtkIdType i : InTurn(this->Whole.GetSize()))
+    {
+      for (const vtkIdType place : this->Whole.GetPoints(i))
+      {
+        if (this->Whole.Colours[i] != NoColour && place < this->Mesh->GetNumberOfPoints())
+        {
+          options.Materials[colours * place + this->Whole.Colours[i]] = this->Whole.Materials[i];
+        }
+      }
+    }
+  }
+
   vtkSmartPointer<vtkPointSet> Make(
     const std::vector<std::string>& cellArrays, const RunOptions& options)
   {
@@ -524,6 +543,10 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
     }
     isOn = !areTooMany;
     mesh = isOn ? control.Make(fields.CellArrays, options) : control.Get();
+    if (isOn)
+    {
+      control.ListMaterials(options.Interpolation);
+    }
   }
   options.HasMaterialFields = isOn;
   const bool isDone = work(mesh, output);

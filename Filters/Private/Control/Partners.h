@@ -61,6 +61,10 @@ public:
   int FindFirst();
   /// Sets each value to the largest that a partition has. All bring the same number of values.
   void FindLargest(std::vector<double>& values);
+  /// Replaces values in one partition by those of all, in the order of these; elsewhere by none.
+  void BringTo(int one, std::vector<double>& values);
+  /// Replaces values by those of one partition.
+  void TakeFrom(int one, std::vector<double>& values);
 };
 
 inline vtkIdType Partners::Sum(vtkIdType own)
@@ -99,39 +103,57 @@ inline void Partners::FindLargest(std::vector<double>& values)
       throw PartnersStopped(); // in all partitions: whoever goes on would wait for ever
     }
   }
-  const std::size_t size = values.size() * sizeof(double);
-  const auto copy = [size](void* to, const void* from)
+  const std::size_t size = values.size();
+  this->BringTo(first, values);
+  for (std::size_t i = size; i < values.size(); ++i)
   {
-    if (size > 0) // else there is no place to copy from, which memcpy does not allow
-    {
-      std::memcpy(to, from, size);
-    }
-  };
-  const auto pack = [&]
-  {
-    std::vector<char> message(size);
-    copy(message.data(), values.data());
-    return message;
-  };
-  Messages toFirst;
-  toFirst[first] = pack();
-  this->Send(toFirst);
-  for (const auto& [from, message] : toFirst)
-  {
-    std::vector<double> others(values.size());
-    copy(others.data(), message.data());
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      values[i] = others[i] > values[i] ? others[i] : values[i];
-    }
+    values[i % size] = values[i] > values[i % size] ? values[i] : values[i % size];
   }
-  Messages fromFirst;
-  for (int to = 0; this->GetPartition() == first && to < this->GetNumberOfPartitions(); ++to)
+  values.resize(size);
+  this->TakeFrom(first, values);
+}
+
+/// Numbers as a message.
+template <typename Number>
+std::vector<char> Pack(const std::vector<Number>& numbers)
+{
+  const char* first = reinterpret_cast<const char*>(numbers.data());
+  return { first, first + numbers.size() * sizeof(Number) };
+}
+
+template <typename Number>
+std::vector<Number> Unpack(const std::vector<char>& message)
+{
+  std::vector<Number> numbers(message.size() / sizeof(Number));
+  if (!numbers.empty()) // else there is no place to copy to, which memcpy does not allow
   {
-    fromFirst[to] = pack();
+    std::memcpy(numbers.data(), message.data(), numbers.size() * sizeof(Number));
   }
-  this->Send(fromFirst);
-  copy(values.data(), fromFirst.at(first).data());
+  return numbers;
+}
+
+inline void Partners::BringTo(int one, std::vector<double>& values)
+{
+  Messages messages;
+  messages[one] = Pack(values);
+  this->Send(messages);
+  values.clear();
+  for (const auto& [from, message] : messages)
+  {
+    const std::vector<double> others = Unpack<double>(message);
+    values.insert(values.end(), others.begin(), others.end());
+  }
+}
+
+inline void Partners::TakeFrom(int one, std::vector<double>& values)
+{
+  Messages messages;
+  for (int to = 0; this->GetPartition() == one && to < this->GetNumberOfPartitions(); ++to)
+  {
+    messages[to] = Pack(values);
+  }
+  this->Send(messages);
+  values = Unpack<double>(messages.at(one));
 }
 
 }

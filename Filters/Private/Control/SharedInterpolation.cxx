@@ -5,6 +5,7 @@
 #include "Private/Control/MaterialColours.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedValues.h"
+#include "Private/Control/SizeChecks.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -48,6 +49,33 @@ SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Pa
   return control;
 }
 
+/// The rows of control points of all partitions in the order of the whole mesh, where centres come
+/// after points.
+WholeSystem FindWhole(const SharedKeys& control, Partners& partners)
+{
+  SharedKeys ordered = control;
+  ordered.Width = 3;
+  ordered.Keys.clear();
+  for (size_t i = 0; i < control.Own.size(); ++i)
+  {
+    const vtkIdType* key = control.Keys.data() + 2 * i;
+    ordered.Keys.insert(ordered.Keys.end(), { key[1] > 0 ? 1 : 0, key[0], key[1] });
+  }
+  const SharedNumbers numbers = NumberTogether(ordered, partners);
+  const int first = partners.FindFirst();
+  WholeSystem whole(numbers.Totals[0]);
+  whole.Numbers = numbers.First;
+  whole.AreOwn = control.Own;
+  whole.ToSolver = [first, &partners](std::vector<double>& values)
+  {
+    partners.BringTo(first, values);
+    return partners.GetPartition() == first;
+  };
+  whole.FromSolver = [first, &partners](std::vector<double>& values)
+  { partners.TakeFrom(first, values); };
+  return whole;
+}
+
 Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
 {
   return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
@@ -86,13 +114,15 @@ bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options)
 void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
   InterpolationLimits& limits)
 {
+  limits.FindMemory = GetAvailableMemory;
   if (Partners* others = FindOthers(input, options))
   {
-    const auto shared =
-      std::make_shared<SharedValues>(MakeControlKeys(input, cells, *others), *others);
+    const auto keys = std::make_shared<SharedKeys>(MakeControlKeys(input, cells, *others));
+    const auto shared = std::make_shared<SharedValues>(*keys, *others);
     limits.TakeOthers = [shared](double* values, int components)
     { shared->TakeOthers(values, components); };
     limits.FindLargest = [others](std::vector<double>& values) { others->FindLargest(values); };
+    limits.FindWhole = [keys, others] { return subdivision::FindWhole(*keys, *others); };
   }
 }
 

@@ -11,6 +11,7 @@
 #include "vtkRedGreenRefinement.h"
 
 #include "vtkBitArray.h"
+#include "vtkCharArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMultiBlockDataSet.h"
@@ -256,6 +257,39 @@ const std::map<std::string, Case>& GetCases()
     // Arrays
     { "nan-in-point-array",
       AddToPoints([] { return MakeFilled<vtkDoubleArray>("values", 5, NaN); }) },
+    { "value-missing",
+      AddToPoints(
+        []
+        {
+          const auto array = MakeFilled<vtkDoubleArray>("values", 5, 1.);
+          array->SetComponent(4, 0, NaN);
+          return array;
+        }) },
+    { "value-masked",
+      [](Trial& trial)
+      {
+        AddToPoints([] { return MakeFilled<vtkDoubleArray>("values", 5, 1.); })(trial);
+        const auto before = trial.Change;
+        trial.Change = [before](vtkUnstructuredGrid* grid)
+        {
+          before(grid);
+          const auto mask = MakeFilled<vtkCharArray>("vtkValidPointMask", 5, 1.);
+          mask->SetComponent(4, 0, 0.);
+          grid->GetPointData()->AddArray(mask);
+        };
+      } },
+    { "interpolated-value-missing",
+      [](Trial& trial)
+      {
+        AddToPoints(
+          []
+          {
+            const auto array = MakeFilled<vtkDoubleArray>("values", 5, 1.);
+            array->SetComponent(4, 0, Infinite);
+            return array;
+          })(trial);
+        With([](Filter* filter) { filter->InterpolateArraysOn(); })(trial);
+      } },
     { "infinite-in-cell-array",
       AddToCells([] { return MakeFilled<vtkDoubleArray>("values", 2, Infinite); }) },
     { "point-array-short",
@@ -557,8 +591,9 @@ TEST(InputContract, EachInputHasARow)
 TEST(InputContract, RedGreenRefinementSaysTheSame)
 {
   // It splits cells of parts that only touch as they are, so that they stay together; and what it
-  // says of copies of other ranks' cells is its own.
-  const std::vector<std::string> others = { "coincident-points", "duplicate-ghost" };
+  // says of copies of other ranks' cells is its own. It takes values of edges only.
+  const std::vector<std::string> others = { "coincident-points", "duplicate-ghost", "value-missing",
+    "value-masked" };
   int same = 0;
   for (const auto& one : GetCases())
   {

@@ -8,6 +8,10 @@
 
 #include "vtkMultiBlockDataSet.h"
 
+#include <cmath>
+#include <map>
+#include <set>
+
 using namespace material_tools;
 
 namespace
@@ -121,6 +125,45 @@ TEST(MaterialFieldsInterpolation, EachMaterialHasItsOwnValues)
             static_cast<vtkIdType>(given.size()) / 4);
         }
       }
+    }
+  }
+}
+
+// A material of small values is as exact as one of large values: the tolerance is a part of its own
+// range.
+TEST(MaterialFieldsInterpolation, EachMaterialHasItsOwnTolerance)
+{
+  const Grid torn = MakeTorn(MakeMeshes().front());
+  const vtkIdType points = CountOriginals(torn);
+  vtkDataArray* values = torn->GetPointData()->GetArray(ValueName);
+  std::set<vtkIdType> seen;
+  std::map<double, double> scales;
+  for (vtkIdType c = 0; c < torn->GetNumberOfCells(); ++c)
+  {
+    const double material = GetMaterial(torn, c);
+    const double scale = scales[material] = std::pow(10., 6. * (std::fmod(material, 3.) - 1.));
+    for (const vtkIdType p : GetCell(torn, c))
+    {
+      for (int k = 0; k < 2 && seen.count(p) == 0; ++k)
+      {
+        // The large values are constant: they need no iteration.
+        values->SetComponent(p, k, scale > 1. ? scale : scale * values->GetComponent(p, k));
+      }
+      seen.insert(p);
+    }
+  }
+  const Values given = ReadValues(torn, points);
+  const Values found = ReadValues(MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, true)
+                                    .Run(torn, 0, JumpInterpolated),
+    points);
+  ASSERT_EQ(found.size(), given.size());
+  ASSERT_GT(scales.size(), 1u);
+  for (const auto& [where, value] : given)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      EXPECT_NEAR(found.at(where)[k], value[k], 2e-10 * scales.at(where.second))
+        << "material " << where.second;
     }
   }
 }

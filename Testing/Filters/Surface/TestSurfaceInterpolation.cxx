@@ -10,6 +10,8 @@
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 
+#include <random>
+
 using namespace surfacetools;
 using multi_dimensional_subdivision_tools::CompareValues;
 using multi_dimensional_subdivision_tools::Messages;
@@ -143,27 +145,144 @@ TEST(SurfaceInterpolation, WhatHasNoSolutionIsSaid)
   }
 }
 
-// On all meshes of quads whose points can be coloured with two colours.
-TEST(SurfaceInterpolation, FourEightHasNoneThatAlternates)
+namespace
 {
-  for (const bool triangles : { false, true })
+
+/// A sheet of quads and triangles with random points and heights, or the skin of a cube.
+Model MakeRandomModel(std::mt19937& random)
+{
+  const auto draw = [&](int least, int most)
+  { return least + static_cast<int>(random() % static_cast<unsigned>(most - least + 1)); };
+  const int width = draw(1, 6);
+  Model model = MakeSheet(width, draw(1, 6), false, { 1., 0., 0. }, { 0., 1., 0. });
+  const std::vector<Point> noise =
+    MakeRandomPoints(model.Points.size(), static_cast<int>(random()));
+  for (std::size_t i = 0; i < noise.size(); ++i)
   {
-    const Model sheet = MakeSheet(5, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
-    const auto input = MakeWithValues(sheet);
-    vtkNew<Filter> filter;
-    vtkNew<Messages> messages;
-    messages->Watch(filter);
-    Configure(filter, Filter::FOUR_EIGHT, 1, true);
-    const auto output = Update(filter, input);
-    EXPECT_EQ(messages->CountWarnings("values of the array values"), triangles ? 0 : 1);
-    double most = 0.;
-    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    for (int c = 0; c < 3; ++c)
     {
-      most = std::max(most,
-        std::abs(input->GetPointData()->GetArray("values")->GetComponent(i, 0) -
-          output->GetPointData()->GetArray("values")->GetComponent(i, 0)));
+      model.Points[i][c] += 0.2 * noise[i][c];
     }
-    EXPECT_TRUE(triangles ? most < 1e-7 : most > 1e-3) << most;
+  }
+  std::vector<std::vector<vtkIdType>> faces;
+  const int share = draw(0, 2); // of quads that become triangles
+  for (const auto& face : model.Faces)
+  {
+    if (draw(1, 2) > share)
+    {
+      faces.push_back(face);
+    }
+    else
+    {
+      faces.push_back({ face[0], face[1], face[2] });
+      faces.push_back({ face[0], face[2], face[3] });
+    }
+  }
+  model.Faces = faces;
+  return model;
+}
+
+/// The limits that a filter makes of values 1 at one point and 0 at others.
+std::vector<std::vector<double>> FindLimitMatrix(vtkPolyData* input, int scheme)
+{
+  const vtkIdType size = input->GetNumberOfPoints();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(input);
+  vtkNew<vtkDoubleArray> units;
+  units->SetName("units");
+  units->SetNumberOfComponents(static_cast<int>(size));
+  units->SetNumberOfTuples(size);
+  for (vtkIdType i = 0; i < size * size; ++i)
+  {
+    units->SetValue(i, i / size == i % size ? 1. : 0.);
+  }
+  copy->GetPointData()->AddArray(units);
+  vtkNew<Filter> filter;
+  Configure(filter, scheme, 0, true);
+  filter->InterpolatePointsOff();
+  filter->InterpolateArraysOff();
+  const auto output = Update(filter, copy);
+  std::vector<std::vector<double>> matrix(static_cast<std::size_t>(size));
+  for (vtkIdType i = 0; i < size * size; ++i)
+  {
+    matrix[i / size].push_back(output->GetPointData()->GetArray("units")->GetComponent(
+      i / size, static_cast<int>(i % size)));
+  }
+  return matrix;
+}
+
+/// Elimination with pivots; empty if a pivot is only rounding.
+std::vector<double> SolveDensely(std::vector<std::vector<double>> matrix, std::vector<double> right)
+{
+  const std::size_t size = right.size();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    std::size_t pivot = i;
+    for (std::size_t r = i; r < size; ++r)
+    {
+      pivot = std::abs(matrix[r][i]) > std::abs(matrix[pivot][i]) ? r : pivot;
+    }
+    std::swap(matrix[i], matrix[pivot]);
+    std::swap(right[i], right[pivot]);
+    if (std::abs(matrix[i][i]) < 1e-9)
+    {
+      return {};
+    }
+    for (std::size_t r = i + 1; r < size; ++r)
+    {
+      const double part = matrix[r][i] / matrix[i][i];
+      for (std::size_t c = i; c < size; ++c)
+      {
+        matrix[r][c] -= part * matrix[i][c];
+      }
+      right[r] -= part * right[i];
+    }
+  }
+  for (std::size_t i = size; i-- > 0;)
+  {
+    for (std::size_t c = i + 1; c < size; ++c)
+    {
+      right[i] -= matrix[i][c] * right[c];
+    }
+    right[i] /= matrix[i][i];
+  }
+  return right;
+}
+
+}
+
+// Wherever a dense matrix has a solution the filter finds it, also where its iteration is too slow.
+TEST(SurfaceInterpolation, HasTheSolutionsOfDenseMatrices)
+{
+  std::mt19937 random(11);
+  for (const int scheme :
+    { Filter::CATMULL_CLARK, Filter::FOUR_EIGHT, Filter::DOO_SABIN, Filter::MIDEDGE, Filter::LOOP })
+  {
+    int solved = 0;
+    for (int trial = 0; trial < 30; ++trial)
+    {
+      SCOPED_TRACE(testing::Message() << "scheme " << scheme << ", trial " << trial);
+      const auto input = MakeWithValues(MakeRandomModel(random));
+      std::vector<double> given;
+      for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+      {
+        given.push_back(input->GetPointData()->GetArray("values")->GetComponent(i, 0));
+      }
+      const std::vector<double> expected = SolveDensely(FindLimitMatrix(input, scheme), given);
+      vtkNew<Filter> filter;
+      vtkNew<Messages> messages;
+      messages->Watch(filter);
+      Configure(filter, scheme, 0, false);
+      const auto output = Update(filter, input);
+      EXPECT_EQ(messages->CountWarnings("does not pass") > 0, expected.empty());
+      vtkDataArray* control = output->GetPointData()->GetArray("values");
+      for (std::size_t i = 0; i < expected.size(); ++i)
+      {
+        EXPECT_NEAR(control->GetComponent(static_cast<vtkIdType>(i), 0), expected[i], 1e-7);
+      }
+      solved += expected.empty() ? 0 : 1;
+    }
+    EXPECT_GE(solved, 25) << scheme;
   }
 }
 
