@@ -42,15 +42,16 @@
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
  * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit
  * point arrays keep their values at old points; a new point takes that of the end of its edge, or
- * of the vertex of its octahedron, whose global id is smallest. Global and pedigree ids are
- * dropped: see GenerateOriginalIds. Children take the cell arrays of their cell; field data pass
- * through. Names, component names and active attributes are kept. The filter adds, with
- * VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request, `vtkOriginalCellIds`,
- * `vtkOriginalPointIds`, `LimitNormals`, and the arrays of GenerateClassification and
- * GenerateErrorBounds; always the field array
- * `Subdivision` (and `SubdivisionGlobalIds`, if the input had global ids,
- * `SubdivisionInvertedCells`, if it had inverted or flat solids, `SubdivisionInterpolated`, if
- * values were interpolated), by which the next filter recognises this output.
+ * of the vertex of its octahedron, whose global id is smallest. Children take the cell arrays of
+ * their cell, and its pedigree id. Global ids, and pedigree ids of points, are kept where no cell
+ * or point is new; see GenerateOriginalIds. Field data pass through. Names, component names,
+ * information keys, lookup tables and active attributes are kept, in blocks those of each block.
+ * The filter adds, with VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request,
+ * `vtkOriginalCellIds`, `vtkOriginalPointIds`, `LimitNormals`, and the arrays of
+ * GenerateClassification and GenerateErrorBounds; always the field array `Subdivision` (and
+ * `SubdivisionGlobalIds`, if the input had global ids, `SubdivisionInvertedCells`, if it had
+ * inverted or flat solids, `SubdivisionInterpolated`, if values were interpolated), by which the
+ * next filter recognises this output.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkMarkedSubdivisionAlgorithm:

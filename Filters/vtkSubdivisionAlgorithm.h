@@ -124,7 +124,9 @@ public:
    * Whether to output the cell array `vtkOriginalCellIds` and the point array `vtkOriginalPointIds`
    * (vtkIdTypeArray, one component): the cell or point of this filter's input that each came from,
    * -1 for new points. On the output of another filter of this kind they are carried on, and where
-   * this is off those of any input: whatever wrote them, new points have -1. Off by default.
+   * this is off those of any input: whatever wrote them, new points have -1. With the first of them
+   * go the global ids of cells, if there are any, such as the numbers of elements: by their own
+   * name, as an array that is not marked as global ids, because cells share them. Off by default.
    */
   vtkSetMacro(GenerateOriginalIds, bool);
   vtkGetMacro(GenerateOriginalIds, bool);

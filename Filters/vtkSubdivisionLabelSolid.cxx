@@ -21,6 +21,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
@@ -52,10 +53,14 @@ public:
   }
   vtkMultiDimensionalSubdivision* operator->() { return this->Filter; }
   /// Returns null after an error or a stop.
-  vtkUnstructuredGrid* Run(vtkUnstructuredGrid* grid)
+  vtkUnstructuredGrid* Run(vtkUnstructuredGrid* grid, vtkPolyData* creases)
   {
     ++this->Round;
     this->Filter->SetInputData(grid);
+    if (creases->GetNumberOfCells() > 0)
+    {
+      this->Filter->SetInputData(2, creases);
+    }
     this->Filter->Update();
     return this->IsStopped ? nullptr : this->Filter->GetOutput();
   }
@@ -227,6 +232,9 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   }
   options.Background = this->BackgroundLabel;
   options.WantedCells = this->NumberOfControlCells;
+  options.ByCorners = this->Connectivity == CORNERS;
+  options.KeepConnected = this->KeepConnected;
+  options.FlatBorder = this->FlatBorder;
   options.SmoothingSteps = this->NumberOfSmoothingSteps;
   options.LargestMove = this->MaximumDisplacement;
   options.Levels = this->NumberOfLevels;
@@ -239,9 +247,11 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   inner->SetProjectToLimit(true);
   inner->SetInterpolatePoints(true);
   inner->SetPreserveInterfaces(true);
+  inner->SetCreasePointsToSameId();
   inner->SetGenerateOriginalIds(true);
   inner->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
-  options.Subdivide = [&inner](vtkUnstructuredGrid* grid) { return inner.Run(grid); };
+  options.Subdivide = [&inner](vtkUnstructuredGrid* grid, vtkPolyData* creases)
+  { return inner.Run(grid, creases); };
   return subdivision::MakeLabelSolid(image, options, output);
 }
 
@@ -255,6 +265,9 @@ void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "BackgroundLabel: " << this->BackgroundLabel << "\n";
   os << indent << "NumberOfControlCells: " << this->NumberOfControlCells << "\n";
+  os << indent << "KeepConnected: " << this->KeepConnected << "\n";
+  os << indent << "Connectivity: " << this->Connectivity << "\n";
+  os << indent << "FlatBorder: " << this->FlatBorder << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "NumberOfSmoothingSteps: " << this->NumberOfSmoothingSteps << "\n";

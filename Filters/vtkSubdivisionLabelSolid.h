@@ -8,13 +8,15 @@
  * share; each label keeps the volume that its voxels have.
  *
  * @par Algorithm
- * Blocks of k^3 voxels become one control voxel, with k as small as NumberOfControlCells allows:
- * of the label that most of the voxels have. Where labels have equally many, materials come before
- * background, then the smallest label; what a block has beyond the image is background. The corners
- * of control voxels are smoothed without shrinking (G. Taubin), those on interfaces along
- * interfaces, those on curves where interfaces meet along these; none moves farther than
- * MaximumDisplacement. Then they are moved as little as possible so that labels have their volumes,
- * and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
+ * Blocks of k^3 voxels become one control voxel, with k as small as NumberOfControlCells allows: of
+ * the label that most of the voxels have. Where labels have equally many, materials come before
+ * background, then the smallest label. At the end of the image blocks have half of k voxels or
+ * more, and up to one and a half times k. Then KeepConnected gives blocks to labels that would come
+ * apart, those of few voxels first. The corners of control voxels are smoothed without shrinking
+ * (G. Taubin), those on interfaces along interfaces, those on curves where interfaces meet along
+ * these; none moves farther than MaximumDisplacement, and with FlatBorder those on the border of
+ * the image stay there. Then they are moved as little as possible so that labels have their
+ * volumes, and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
  * PreserveInterfaces. The filter measures this solid, corrects the corners for the difference in
  * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of
  * those of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge or a
@@ -39,8 +41,8 @@
  * column is there.
  *
  * @par Arrays read, by SetInputArrayToProcess
- *  - 0, labels: cell or point array with whole numbers of any type, up to 2^53, one for each voxel;
- *    unset: the active scalars of points, else of cells.
+ *  - 0, labels: cell or point array with whole numbers of any type, from -2^63 to 2^64 - 1, one for
+ *    each voxel; unset: the active scalars of points, else of cells.
  *
  * @par Output
  * A vtkUnstructuredGrid of VTK_TETRA cells, on the limit. Cell arrays: the labels (the active
@@ -54,8 +56,8 @@
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
  * if voxels have no volume (a spacing is 0 or not finite),
  * if the output would have more than MaximumNumberOfCells cells, or if there is not enough memory.
- * An image of background alone gives no cells, and a warning; labels that coarsening loses give a
- * warning, too.
+ * An image of background alone gives no cells, and a warning; labels that coarsening loses, tears
+ * apart or joins give a warning, too, and values that are NaN or infinite, which are background.
  *
  * @par Ranks
  * The first rank asks for the whole image and makes the whole output.
@@ -93,8 +95,8 @@ public:
   /**
    * The label of voxels that are left out. Default 0.
    */
-  vtkSetMacro(BackgroundLabel, int);
-  vtkGetMacro(BackgroundLabel, int);
+  vtkSetMacro(BackgroundLabel, vtkIdType);
+  vtkGetMacro(BackgroundLabel, vtkIdType);
   ///@}
 
   ///@{
@@ -104,6 +106,43 @@ public:
    */
   vtkSetClampMacro(NumberOfControlCells, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfControlCells, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Whether blocks of voxels are given to labels so that a connected piece of a label stays
+   * connected, where it has the most voxels of some blocks: each has voxels of the piece. On by
+   * default. If off, a warning tells of labels that come apart.
+   */
+  vtkSetMacro(KeepConnected, bool);
+  vtkGetMacro(KeepConnected, bool);
+  vtkBooleanMacro(KeepConnected, bool);
+  ///@}
+
+  enum Connectivities
+  {
+    FACES,
+    CORNERS
+  };
+  ///@{
+  /**
+   * Which voxels of a label are connected: by FACES (0; 6 neighbours), or also by edges and
+   * CORNERS (1, the default; 26 neighbours), where those connected by faces stay so.
+   */
+  vtkSetClampMacro(Connectivity, int, FACES, CORNERS);
+  vtkGetMacro(Connectivity, int);
+  void SetConnectivityToFaces() { this->SetConnectivity(FACES); }
+  void SetConnectivityToCorners() { this->SetConnectivity(CORNERS); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the solid stays flat where it ends at the border of the image, with sharp edges around
+   * these faces. On by default. If off, it is round there, as if there were background beyond.
+   */
+  vtkSetMacro(FlatBorder, bool);
+  vtkGetMacro(FlatBorder, bool);
+  vtkBooleanMacro(FlatBorder, bool);
   ///@}
 
   ///@{
@@ -178,8 +217,11 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int BackgroundLabel = 0;
+  vtkIdType BackgroundLabel = 0;
   vtkIdType NumberOfControlCells = 20000;
+  bool KeepConnected = true;
+  int Connectivity = CORNERS;
+  bool FlatBorder = true;
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
   int NumberOfSmoothingSteps = 20;

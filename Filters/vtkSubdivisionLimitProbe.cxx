@@ -3,6 +3,7 @@
 
 #include "Private/Control/FilterRun.h"
 #include "Private/Control/PlaceOutput.h"
+#include "Private/Distribution/Blocks.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -95,7 +96,12 @@ int vtkSubdivisionLimitProbe::RequestData(
       [&](vtkPointSet* input, vtkPointSet* output)
       {
         request.Output = vtkPolyData::SafeDownCast(output);
-        return work(input);
+        const bool isDone = work(input);
+        for (vtkDataSet* from : { request.Targets, static_cast<vtkDataSet*>(input) })
+        {
+          subdivision::AddFieldData(from->GetFieldData(), false, output->GetFieldData());
+        }
+        return isDone;
       });
   };
   if (this->IsOfSurfaces())

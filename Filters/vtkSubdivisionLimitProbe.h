@@ -12,8 +12,7 @@
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
- * vtkMarkedSubdivisionAlgorithm. Port 3: the points, of any data set; its cells and arrays do not
- * matter.
+ * vtkMarkedSubdivisionAlgorithm. Port 3: the points, of any data set; its cells do not matter.
  *
  * @par Output
  * A vtkPolyData with a vertex for each point, where the nearest place is, in double precision
@@ -23,7 +22,9 @@
  * the cell of the control mesh with the place; `CellParameters`, the parameters of the place there
  * as EvaluateLimit of the same scheme has them. In simplices they are the weights of the second,
  * third and fourth point. They are -1 in cells that the scheme cuts: for LOOP all that are no
- * vertices, lines, triangles or tetrahedra.
+ * vertices, lines, triangles or tetrahedra. The arrays of the points at port 3 follow, with their
+ * ids; one whose name is taken gets OfPlace at the end of it. Field arrays of both are there, those
+ * of the control mesh where names are equal.
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides those of vtkMarkedSubdivisionAlgorithm:

@@ -60,7 +60,7 @@ room(Private/AdaptiveSurface Core Private Private/Reading Private/Arrays Private
 room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Control Private/Uniform Private/Surface)
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
 room(Private/Smoothness Core Private Private/Reading Private/Arrays Private/Control Private/Surface)
-room(Private/Labels Core Private Private/Control)
+room(Private/Labels Core Private Private/Arrays Private/Control)
 room(Private/Models Private)
 
 set(pipeline "^[ \t]*#[ \t]*include[ \t]*[<\"](\\.\\./|vtkSubdivision|vtk[A-Za-z0-9]*(Algorithm|DataSet|DataObject|Grid|PolyData|PointSet|PointData|CellData|FieldData|Filter|Executive|Information|Pipeline))")

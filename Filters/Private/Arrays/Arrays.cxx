@@ -6,6 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkLookupTable.h"
 #include "vtkNew.h"
 #include "vtkVariant.h"
 
@@ -34,13 +35,37 @@ void Allocate(vtkDataArray* array, int components, vtkIdType tuples)
   }
 }
 
+vtkSmartPointer<vtkAbstractArray> MakeLike(vtkAbstractArray* array, vtkIdType tuples)
+{
+  const bool isData = vtkDataArray::SafeDownCast(array) != nullptr;
+  auto made = vtkSmartPointer<vtkAbstractArray>::Take(
+    isData ? vtkDataArray::CreateDataArray(array->GetDataType()) : array->NewInstance());
+  made->SetNumberOfComponents(array->GetNumberOfComponents());
+  made->SetNumberOfTuples(tuples);
+  CopyLooks(array, made);
+  return made;
+}
+
 void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to)
 {
+  if (from == to)
+  {
+    return;
+  }
   to->SetName(from->GetName());
   to->CopyComponentNames(from);
   if (from->HasInformation())
   {
     to->CopyInformation(from->GetInformation(), /*deep=*/1);
+  }
+  else if (to->HasInformation())
+  {
+    to->GetInformation()->Clear();
+  }
+  auto* data = vtkDataArray::SafeDownCast(from);
+  if (data && vtkDataArray::SafeDownCast(to))
+  {
+    vtkDataArray::SafeDownCast(to)->SetLookupTable(data->GetLookupTable());
   }
 }
 
@@ -157,9 +182,18 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   {
     return array;
   }
-  auto copy =
-    vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(array->GetDataType()));
-  copy->DeepCopy(array);
+  const auto copy = MakeArray(
+    array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples());
+  if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
+  {
+    // VTK copies by doubles, which do not have all of these numbers.
+    ForEachInTurn(array->GetNumberOfValues(),
+      [&](vtkIdType i) { copy->SetVariantValue(i, array->GetVariantValue(i)); });
+  }
+  else
+  {
+    copy->DeepCopy(array);
+  }
   CopyLooks(array, copy);
   return copy;
 }
@@ -256,14 +290,11 @@ vtkSmartPointer<vtkAbstractArray> Gather(vtkAbstractArray* in, Row<vtkIdType> so
     CopyLooks(in, out);
     return out;
   }
-  auto out = vtkSmartPointer<vtkAbstractArray>::Take(in->NewInstance());
-  out->SetNumberOfComponents(in->GetNumberOfComponents());
-  out->SetNumberOfTuples(sources.size());
+  auto out = MakeLike(in, sources.size());
   for (const vtkIdType i : InTurn(sources.size()))
   {
     out->SetTuple(i, sources.First[i], in);
   }
-  CopyLooks(in, out);
   return out;
 }
 

@@ -26,7 +26,11 @@ vtkSmartPointer<vtkDataArray> MakeArray(int valueType, int components, vtkIdType
 /// Gives an empty array room for tuples, not initialised.
 void Allocate(vtkDataArray* array, int components, vtkIdType tuples);
 
-/// Copies the name, the component names and the information keys.
+/// An array of the kind of another, with its looks, its values not initialised. Whatever the other
+/// is stored as, this one can be written.
+vtkSmartPointer<vtkAbstractArray> MakeLike(vtkAbstractArray* array, vtkIdType tuples);
+
+/// Copies the name, the component names, the information keys and the lookup table.
 void CopyLooks(vtkAbstractArray* from, vtkAbstractArray* to);
 
 /// Adds `array`, which stands for the array `source` of `from`, with the same active attribute.

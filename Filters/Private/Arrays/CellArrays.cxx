@@ -77,17 +77,19 @@ vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType size)
 }
 
 /// Copies all cell arrays of the input. `spread` makes an array of the output from one of the
-/// input; `makeIds` makes the array of the input cell that each output cell comes from.
-template <typename SpreadTo, typename Ids>
+/// input; `makeIds` makes the array of the input cell that each output cell comes from; `areSame`
+/// says whether the cells are those of the input.
+template <typename SpreadTo, typename Ids, typename AreSame>
 void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
-  const Ids& makeIds, vtkUnstructuredGrid* output)
+  const Ids& makeIds, const AreSame& areSame, vtkUnstructuredGrid* output)
 {
   vtkCellData* data = input->GetCellData();
+  const bool hasGlobalIds = data->GetGlobalIds() && areSame();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
-    if (array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
+    if ((array == data->GetGlobalIds() && !hasGlobalIds && !options.OriginalIds) ||
       (array == data->GetNormals() && options.PointsMove) ||
       std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
     {
@@ -99,6 +101,10 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
     }
     const vtkSmartPointer<vtkAbstractArray> copy = spread(array);
     AddLike(data, i, copy, output->GetCellData());
+  }
+  if (!hasGlobalIds) // children have the ids of their cell
+  {
+    output->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
   if (options.OriginalIds && !options.CarryOriginalIds)
   {
@@ -120,18 +126,28 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output)
 {
   std::optional<SimplexStarts> first; // none until an array needs it
-  auto spread = [&](vtkAbstractArray* array)
+  auto areSame = [&]()
   {
     if (!first)
     {
       first.emplace(FindChildren(cells.Simplices, options.Levels));
     }
-    const bool unchanged =
-      cells.ParentCells.empty() && first->GetLength() == input->GetNumberOfCells();
-    return unchanged ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, *first);
+    return cells.ParentCells.empty() && first->GetLength() == input->GetNumberOfCells();
+  };
+  auto spread = [&](vtkAbstractArray* array)
+  {
+    return areSame() ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, *first);
   };
   CopyArrays(
-    input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, output);
+    input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, areSame,
+    output);
+}
+
+bool AreAllCells(Row<vtkIdType> sources, vtkIdType size)
+{
+  vtkIdType next = 0;
+  return sources.size() == size &&
+    std::all_of(sources.begin(), sources.end(), [&](vtkIdType cell) { return cell == next++; });
 }
 
 void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
@@ -141,7 +157,8 @@ void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArray
   const Row<vtkIdType> row{ first, first + sources->GetNumberOfTuples() };
   CopyArrays(
     input, options, [&](vtkAbstractArray* array) { return Gather(array, row); },
-    [&]() { return vtkSmartPointer<vtkAbstractArray>(sources); }, output);
+    [&]() { return vtkSmartPointer<vtkAbstractArray>(sources); },
+    [&]() { return AreAllCells(row, input->GetNumberOfCells()); }, output);
 }
 
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,

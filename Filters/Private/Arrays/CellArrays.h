@@ -30,7 +30,8 @@ struct CellArrayOptions
   /// and are left out.
   bool PointsMove = false;
   /// Adds the cell array `vtkOriginalCellIds`, unless `CarryOriginalIds` says that the input has it
-  /// from an earlier filter: then it is copied like other arrays.
+  /// from an earlier filter: then it is copied like other arrays. Children get the global ids of
+  /// their cell, as an array that is not marked as global ids.
   bool OriginalIds = false;
   bool CarryOriginalIds = false;
   /// Arrays that the filter makes itself: the input's are left out.
@@ -43,8 +44,10 @@ struct CellArrayOptions
 vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
   vtkAbstractArray* array, const SimplicesOfCells& cells, int levels);
 
+/// Whether `sources` are all of `size` cells in their order.
+bool AreAllCells(Row<vtkIdType> sources, vtkIdType size);
+
 /// Copies every cell array of `input` to the children that its simplices have after some levels.
-/// Global and pedigree ids are dropped.
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
 

@@ -167,7 +167,8 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
-    if (array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
+    const bool isShort = array->GetNumberOfTuples() != input->GetNumberOfPoints();
+    if ((array == data->GetGlobalIds() && isShort) || // ReadControlMesh tells of it
       name == vtkDataSetAttributes::GhostArrayName() ||
       std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
     {
@@ -179,11 +180,13 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     }
     Entry entry{ i, nullptr };
     entry.IsNormals = array == data->GetNormals();
-    if (!entry.IsNormals && this->IsSmoothed(array))
+    entry.AreIds = array == data->GetGlobalIds() || array == data->GetPedigreeIds();
+    const bool isMade = !entry.IsNormals && !entry.AreIds;
+    if (isMade && this->IsSmoothed(array))
     {
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
-    this->HasGathered = this->HasGathered || !(entry.Current || entry.IsNormals);
+    this->HasGathered = this->HasGathered || (isMade && !entry.Current);
     this->Entries.push_back(entry);
   }
   this->StartOrigins();
@@ -477,15 +480,21 @@ void PointArrays::Finish(vtkPointSet* output)
   vtkPointData* from = this->Input->GetPointData();
   const bool unchanged =
     !this->HasMoved && this->NumberOfPoints == this->Input->GetNumberOfPoints();
+  const bool isOfInput = this->NumberOfPoints == this->NumberOfInputPoints;
   for (const Entry& entry : this->Entries)
   {
     vtkAbstractArray* source = from->GetAbstractArray(entry.Source);
     vtkSmartPointer<vtkAbstractArray> array = source;
-    if ((!unchanged || this->LeavesNormals) && entry.IsNormals)
+    if (((!unchanged || this->LeavesNormals) && entry.IsNormals) || (!isOfInput && entry.AreIds))
     {
       continue;
     }
-    if (!unchanged)
+    if (entry.AreIds && !this->TakenPoints.empty())
+    {
+      const vtkIdType* taken = this->TakenPoints.data();
+      array = Gather(source, { taken, taken + this->TakenPoints.size() });
+    }
+    else if (!unchanged && !entry.AreIds)
     {
       array = entry.Current ? vtkSmartPointer<vtkAbstractArray>(entry.Current)
                             : Gather(source, { this->Origins.begin(), this->Origins.end() });

@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataArray> StartValues(
  * smoothed; colours are rounded after each level. Other integers, strings and bits are gathered: an
  * old point keeps its value, a new point on an edge takes that of the end with the smaller global
  * id, the centre of an octahedron that of the vertex with the smallest one. Global and pedigree ids
- * are dropped.
+ * are kept where all points are points of the input.
  */
 class PointArrays
 {
@@ -184,6 +184,7 @@ private:
     int Source;                            ///< index in the input's point data
     vtkSmartPointer<vtkDataArray> Current; ///< smoothed so far; null: gathered at the end
     bool IsNormals = false; ///< neither: normals of the input hold only where no point moved
+    bool AreIds = false;    ///< neither: global and pedigree ids hold only where no point is new
   };
   /// What is interpolated: an array, or all that have the values of one, each for one colour.
   struct Interpolated

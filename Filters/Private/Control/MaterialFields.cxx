@@ -363,6 +363,7 @@ public:
     {
       TakePoints(this->Output, this->Sources,
         [this](vtkIdType cell, auto* begin, auto* end) { this->Change(cell, begin, end); });
+      this->Output->GetPointData()->SetGlobalIds(nullptr); // copies have the same
     }
     for (const auto& field : this->Fields)
     {

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -12,6 +13,8 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace subdivision
 {
@@ -138,11 +141,58 @@ SparseRows<vtkIdType> AppendedRows::Finish()
   return rows;
 }
 
-void FinishPlaces(vtkPolyData* arrays, vtkPolyData* output)
+namespace
+{
+
+/// The arrays of places follow those of the mesh. Where both have a name, that of the place ends
+/// with OfPlace.
+void AddArraysOfPlaces(vtkDataSet* places, vtkPolyData* output)
+{
+  vtkDataSetAttributes* from = places->GetPointData();
+  vtkDataSetAttributes* to = output->GetPointData();
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkSmartPointer<vtkAbstractArray> array = from->GetAbstractArray(i);
+    std::string name = array->GetName() ? array->GetName() : "";
+    if (array->GetNumberOfTuples() != places->GetNumberOfPoints() ||
+      name == vtkDataSetAttributes::GhostArrayName())
+    {
+      continue;
+    }
+    if (to->HasArray(name.c_str()))
+    {
+      while (to->HasArray(name.c_str()) || from->HasArray(name.c_str()))
+      {
+        name += "OfPlace";
+      }
+      std::vector<vtkIdType> all(static_cast<std::size_t>(places->GetNumberOfPoints()));
+      std::iota(all.begin(), all.end(), vtkIdType(0));
+      array = Gather(array, { all.data(), all.data() + all.size() });
+      array->SetName(name.c_str());
+    }
+    const int added = to->AddArray(array);
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+    {
+      if (from->GetAbstractAttribute(type) == from->GetAbstractArray(i) &&
+        !to->GetAbstractAttribute(type))
+      {
+        to->SetActiveAttribute(added, type);
+      }
+    }
+  }
+}
+
+}
+
+void FinishPlaces(vtkPolyData* arrays, vtkDataSet* places, vtkPolyData* output)
 {
   for (int i = 0; i < arrays->GetPointData()->GetNumberOfArrays(); ++i)
   {
     output->GetPointData()->AddArray(arrays->GetPointData()->GetArray(i));
+  }
+  if (places)
+  {
+    AddArraysOfPlaces(places, output);
   }
   vtkNew<vtkCellArray> vertices;
   for (const vtkIdType i : InTurn(output->GetNumberOfPoints()))

@@ -103,8 +103,9 @@ private:
   GrowingBuffer<double> Weights;
 };
 
-/// Gives an output with points one vertex for each, and all point arrays of another.
-void FinishPlaces(vtkPolyData* arrays, vtkPolyData* output);
+/// Gives an output with points one vertex for each, all point arrays of another, and those of the
+/// places; null: they have none.
+void FinishPlaces(vtkPolyData* arrays, vtkDataSet* places, vtkPolyData* output);
 
 }
 

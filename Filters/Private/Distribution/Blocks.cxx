@@ -5,9 +5,11 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/StampFields.h"
+#include "Private/Distribution/JoinedArrays.h"
 #include "Private/Distribution/StampedParts.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/UnusedPoints.h"
 
 #include "vtkCellData.h"
@@ -42,10 +44,38 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
     (!isOfSurfaces && vtkUnstructuredGrid::SafeDownCast(data));
 }
 
-/// Takes away arrays that other blocks have and this one does not, and gives the others their
-/// names. `hasGhosts`: ghost types are those of MarkGhosts, whoever had some.
-void RestoreArrays(
-  const std::vector<JoinedArray>& arrays, int block, bool hasGhosts, vtkDataSetAttributes* data)
+/// Gives active attributes that blocks share to those arrays that have them in this block. Global
+/// ids are those that the filter chose.
+void RestoreAttributes(
+  const std::vector<JoinedArray>& arrays, vtkDataSetAttributes* own, vtkDataSetAttributes* data)
+{
+  const auto isOfFilter = [&](const char* name)
+  {
+    return !name ||
+      std::none_of(arrays.begin(), arrays.end(),
+        [name](const JoinedArray& array) { return array.OriginalName == name; });
+  };
+  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    vtkAbstractArray* active = own->GetAbstractAttribute(type);
+    vtkAbstractArray* now = data->GetAbstractAttribute(type);
+    if (type != vtkDataSetAttributes::GLOBALIDS && !(now && isOfFilter(now->GetName())))
+    {
+      int index = -1;
+      if (active && active->GetName())
+      {
+        data->GetAbstractArray(active->GetName(), index);
+      }
+      data->SetActiveAttribute(index, type);
+    }
+  }
+}
+
+/// Takes away arrays that other blocks have and this one does not, and gives the others the names
+/// and looks that they have in this one, whose data are `own`. `hasGhosts`: ghost types are those
+/// of MarkGhosts, whoever had some.
+void RestoreArrays(const std::vector<JoinedArray>& arrays, int block, bool hasGhosts,
+  vtkDataSetAttributes* own, vtkDataSetAttributes* data)
 {
   std::multimap<std::string, int> active; // attributes that arrays of these names were
   for (const JoinedArray& array : arrays)
@@ -76,7 +106,13 @@ void RestoreArrays(
         data->SetActiveAttribute(array.OriginalName.c_str(), type->second);
       }
     }
+    vtkAbstractArray* given = found ? FindArray(own, found, array) : nullptr;
+    if (given)
+    {
+      CopyLooks(given, found);
+    }
   }
+  RestoreAttributes(arrays, own, data);
 }
 
 /// Original ids that this filter made count the points or cells of the joined mesh: makes them
@@ -317,8 +353,10 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
   output->GetCellData()->RemoveArray(SelectedName);
   output->GetCellData()->RemoveArray(BlockIndexName);
   const bool hasGhosts = options.GhostLayers > 0;
-  RestoreArrays(joined.PointArrays, block, hasGhosts, output->GetPointData());
-  RestoreArrays(joined.CellArrays, block, hasGhosts, output->GetCellData());
+  vtkPointSet* input = blocks[block].Input;
+  RestoreArrays(
+    joined.PointArrays, block, hasGhosts, input->GetPointData(), output->GetPointData());
+  RestoreArrays(joined.CellArrays, block, hasGhosts, input->GetCellData(), output->GetCellData());
   CountInBlock(
     OriginalPointIdsName, joined.PointArrays, joined.PointPlaces[block], output->GetPointData());
   CountInBlock(
@@ -415,8 +453,7 @@ void SetOutputs(
     }
     return;
   }
-  to->CopyStructure(from);
-  to->GetFieldData()->PassData(from->GetFieldData());
+  CopyTree(from, to);
   size_t next = 0;
   const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())

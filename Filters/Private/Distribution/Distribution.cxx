@@ -9,6 +9,7 @@
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Distribution/StampedParts.h"
+#include "Private/Reading/ReadableMesh.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -396,7 +397,7 @@ int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* outpu
     return RunFilter(filter, vtkPointSet::SafeDownCast(input), vtkPointSet::SafeDownCast(output),
       traits, options, work);
   }
-  to->CopyStructure(from);
+  CopyTree(from, to);
   int result = 1;
   const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
   double count = 0.;

@@ -80,11 +80,8 @@ size_t FindEntry(vtkAbstractArray* array, vtkIdType size, std::vector<JoinedArra
     }
   }
   entries.push_back({ name, array->GetName(), std::vector<bool>(numberOfParts, false) });
-  auto joined = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
-  CopyLooks(array, joined);
+  auto joined = MakeLike(array, size);
   joined->SetName(name.c_str());
-  joined->SetNumberOfComponents(array->GetNumberOfComponents());
-  joined->SetNumberOfTuples(size);
   if (auto* numbers = vtkDataArray::SafeDownCast(joined))
   {
     numbers->Fill(0.);
@@ -109,7 +106,8 @@ void CopyValues(vtkAbstractArray* from, const std::vector<vtkIdType>& places,
   }
   if (targets->GetNumberOfIds() > 0)
   {
-    to->InsertTuples(targets, sources, from);
+    auto* data = vtkDataArray::SafeDownCast(from);
+    to->InsertTuples(targets, sources, data ? Contiguous(data).Get() : from);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "Private/Labels/LabelImage.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Arrays/Arrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -10,42 +11,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <limits>
 #include <map>
+#include <sstream>
 
 namespace subdivision
 {
 namespace
 {
 
-constexpr double LargestLabel = 9007199254740992.; ///< up to which doubles are exact
+constexpr int Missing = -1;
 
 vtkIdType CountMaterialVoxels(const Buffer<int>& voxels)
 {
   return std::count_if(voxels.begin(), voxels.end(), [](int label) { return label > 0; });
-}
-
-/// Calls visit(fine voxel) for the voxels of the block of a coarse voxel that the image has.
-template <typename Visit>
-void VisitBlock(
-  const LabelImage& fine, const LabelImage& coarse, int length, vtkIdType voxel, const Visit& visit)
-{
-  const vtkIdType at[3] = { voxel % coarse.Size[0], voxel / coarse.Size[0] % coarse.Size[1],
-    voxel / coarse.Size[0] / coarse.Size[1] };
-  vtkIdType end[3];
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    end[axis] = std::min((at[axis] + 1) * length, fine.Size[axis]);
-  }
-  for (vtkIdType k = at[2] * length; k < end[2]; ++k)
-  {
-    for (vtkIdType j = at[1] * length; j < end[1]; ++j)
-    {
-      for (vtkIdType i = at[0] * length; i < end[0]; ++i)
-      {
-        visit(fine.GetId(i, j, k));
-      }
-    }
-  }
 }
 
 /// `votes` may be sorted.
@@ -65,6 +45,47 @@ int Elect(std::vector<int>& votes)
     first = last;
   }
   return best;
+}
+
+/// The voxels of a block that have its label.
+void ListMembers(const LabelImage& fine, const LabelImage& coarse, vtkIdType block,
+  std::vector<vtkIdType>& members)
+{
+  members.clear();
+  VisitBlock(coarse, block,
+    [&](vtkIdType voxel)
+    {
+      if (fine.Voxels[voxel] == coarse.Voxels[block])
+      {
+        members.push_back(voxel);
+      }
+    });
+}
+
+/// What Ends has for a block.
+unsigned char FindEnds(const LabelImage& image, const LabelImage& coarse, vtkIdType block)
+{
+  const auto at = coarse.GetPlace(block);
+  int ends = 0;
+  for (int end = 0; end < 6; ++end)
+  {
+    const int axis = end / 2;
+    if (at[axis] == (end % 2 ? coarse.Size[axis] - 1 : 0))
+    {
+      const vtkIdType layer = end % 2 ? image.Size[axis] - 1 : 0;
+      vtkIdType balance = 0;
+      VisitBlock(coarse, block,
+        [&](vtkIdType voxel)
+        {
+          if (image.GetPlace(voxel)[axis] == layer)
+          {
+            balance += image.Voxels[voxel] > 0 ? 1 : -1;
+          }
+        });
+      ends |= balance >= 0 ? 1 << end : 0;
+    }
+  }
+  return static_cast<unsigned char>(ends);
 }
 
 bool IsFloating(vtkAbstractArray* array)
@@ -97,37 +118,79 @@ void SetMean(
 
 }
 
-std::string ReadLabels(vtkDataArray* array, double background,
+vtkVariant FindWholeNumber(vtkDataArray* array, vtkIdType tuple)
+{
+  const int type = array->GetDataType();
+  const vtkVariant value = array->GetVariantValue(tuple * array->GetNumberOfComponents());
+  if (type != VTK_FLOAT && type != VTK_DOUBLE)
+  {
+    const bool isLarge = type == VTK_UNSIGNED_LONG || type == VTK_UNSIGNED_LONG_LONG;
+    return isLarge ? vtkVariant(value.ToUnsignedLongLong()) : vtkVariant(value.ToLongLong());
+  }
+  constexpr double end = 18446744073709551616.; // 2^64
+  const double number = value.ToDouble();
+  if (!(std::floor(number) == number && number >= -end / 2. && number < end))
+  {
+    return vtkVariant();
+  }
+  return number < 0. ? vtkVariant(static_cast<long long>(number))
+                     : vtkVariant(static_cast<unsigned long long>(number));
+}
+
+std::string ReadLabels(vtkDataArray* array, const vtkVariant& background,
   const std::function<bool(vtkIdType)>& isHidden, LabelImage& image)
 {
   const vtkIdType size = array->GetNumberOfTuples();
   image.Voxels = Buffer<int>(size);
-  std::map<double, int> found;
-  double last = background; // most voxels have the label of the one before
+  const auto values = Contiguous(array);
+  const int bytes = values->GetDataType() == VTK_BIT ? 0 : values->GetDataTypeSize();
+  const auto* raw = static_cast<const char*>(values->GetVoidPointer(0));
+  std::map<vtkVariant, int> found;
+  std::vector<vtkIdType> firsts;
+  vtkIdType last = -1; // most voxels have the label of the one before
   int number = 0;
   for (const vtkIdType i : InTurn(size))
   {
-    const double label = isHidden(i) ? background : array->GetComponent(i, 0);
-    if (!(std::floor(label) == label) || !(std::abs(label) < LargestLabel))
+    if (isHidden(i))
     {
-      return "(array index 0) holds values that are no whole numbers below 2^53; the first is "
-             "number " +
-        std::to_string(i) + ": " + std::to_string(label) + ".";
+      image.Voxels[i] = 0;
+      continue;
     }
-    if (label != last)
+    if (last < 0 || bytes == 0 || std::memcmp(raw + i * bytes, raw + last * bytes, bytes) != 0)
     {
-      last = label;
-      number = label == background
-        ? 0
-        : found.emplace(label, static_cast<int>(found.size()) + 1).first->second;
+      last = i;
+      const vtkVariant label = FindWholeNumber(values, i);
+      const double value = values->GetComponent(i, 0);
+      if (!label.IsValid() && std::isfinite(value))
+      {
+        std::ostringstream text;
+        text.precision(std::numeric_limits<double>::max_digits10);
+        text << value;
+        return "(array index 0) holds values that are no whole numbers from -2^63 to 2^64 - 1; the "
+               "first is number " +
+          std::to_string(i) + ": " + text.str() + ".";
+      }
+      number = label.IsValid() && !(label == background)
+        ? found.emplace(label, static_cast<int>(found.size()) + 1).first->second
+        : label.IsValid() ? 0
+                          : Missing;
+      if (number > static_cast<int>(firsts.size()))
+      {
+        firsts.push_back(i);
+      }
     }
-    image.Voxels[i] = number;
+    if (number == Missing)
+    {
+      image.FirstMissing = image.NumberOfMissing++ == 0 ? i : image.FirstMissing;
+    }
+    image.Voxels[i] = std::max(number, 0);
   }
   // Numbers in the order of labels.
   std::vector<int> order(found.size() + 1, 0);
   for (const auto& [label, first] : found)
   {
     image.Labels.push_back(label);
+    image.FirstVoxels.push_back(firsts[first - 1]);
     order[first] = static_cast<int>(image.Labels.size());
   }
   ForEach(size, [&](vtkIdType i) { image.Voxels[i] = order[image.Voxels[i]]; });
@@ -139,13 +202,16 @@ LabelImage Coarsen(const LabelImage& image, int length)
 {
   LabelImage coarse;
   coarse.Labels = image.Labels;
+  coarse.FineSize = image.Size;
+  coarse.Length = length;
   vtkIdType size = 1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    coarse.Size[axis] = (image.Size[axis] + length - 1) / length;
+    coarse.Size[axis] = std::max<vtkIdType>(1, (image.Size[axis] + length / 2) / length);
     size *= coarse.Size[axis];
   }
   coarse.Voxels = Buffer<int>(size);
+  coarse.Ends = Buffer<unsigned char>(size);
   ForRanges(size,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -153,10 +219,9 @@ LabelImage Coarsen(const LabelImage& image, int length)
       for (vtkIdType voxel = begin; voxel < end; ++voxel)
       {
         votes.clear();
-        VisitBlock(image, coarse, length, voxel,
-          [&](vtkIdType fine) { votes.push_back(image.Voxels[fine]); });
-        votes.resize(static_cast<std::size_t>(length) * length * length, 0);
+        VisitBlock(coarse, voxel, [&](vtkIdType fine) { votes.push_back(image.Voxels[fine]); });
         coarse.Voxels[voxel] = Elect(votes);
+        coarse.Ends[voxel] = FindEnds(image, coarse, voxel);
       }
     });
   coarse.NumberOfMaterialVoxels = CountMaterialVoxels(coarse.Voxels);
@@ -180,8 +245,8 @@ int FindBlockLength(const LabelImage& image, vtkIdType wanted)
   return length;
 }
 
-void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int length,
-  vtkDataSetAttributes* voxels, vtkDataArray* labels, vtkDataSetAttributes* cells,
+void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, vtkDataSetAttributes* voxels,
+  vtkDataArray* labels, vtkDataSetAttributes* cells,
   const std::function<void(const std::string&)>& warn)
 {
   std::vector<vtkIdType> kept; // coarse voxels
@@ -193,6 +258,13 @@ void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int lengt
     }
   }
   const auto size = static_cast<vtkIdType>(kept.size());
+  std::vector<vtkIdType> firsts;
+  std::vector<vtkIdType> found;
+  for (const vtkIdType block : InTurn(kept))
+  {
+    ListMembers(fine, coarse, block, found);
+    firsts.push_back(found.front());
+  }
   for (int i = 0; i < voxels->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* from = voxels->GetAbstractArray(i);
@@ -208,27 +280,12 @@ void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, int lengt
         "\": it does not have one value for each voxel.");
       continue;
     }
-    const auto to = vtkSmartPointer<vtkAbstractArray>::Take(from->NewInstance());
-    to->SetName(from->GetName());
-    to->SetNumberOfComponents(from->GetNumberOfComponents());
-    to->SetNumberOfTuples(size);
+    const auto to = Gather(from, { firsts.data(), firsts.data() + size });
     std::vector<vtkIdType> members;
-    for (const vtkIdType cell : InTurn(size))
+    for (vtkIdType cell = 0; IsFloating(from) && coarse.Length > 1 && cell < size; ++cell)
     {
-      members.clear();
-      VisitBlock(fine, coarse, length, kept[cell],
-        [&](vtkIdType voxel)
-        {
-          if (fine.Voxels[voxel] == coarse.Voxels[kept[cell]])
-          {
-            members.push_back(voxel);
-          }
-        });
-      to->SetTuple(cell, members.front(), from);
-      if (members.size() > 1 && IsFloating(from))
-      {
-        SetMean(vtkDataArray::SafeDownCast(from), members, vtkDataArray::SafeDownCast(to), cell);
-      }
+      ListMembers(fine, coarse, kept[cell], members);
+      SetMean(vtkDataArray::SafeDownCast(from), members, vtkDataArray::SafeDownCast(to), cell);
     }
     cells->AddArray(to);
   }

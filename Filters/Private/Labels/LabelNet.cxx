@@ -18,6 +18,9 @@ using Vector = LabelNet::Vector;
 constexpr double Inwards = .5;
 constexpr double Outwards = -.53;
 
+/// The label beyond a border that stays flat.
+constexpr int Outside = -1;
+
 enum EdgeKind
 {
   NOWHERE,
@@ -32,13 +35,26 @@ EdgeKind Classify(const std::array<int, 4>& around)
   std::array<int, 4> sorted = around;
   std::sort(sorted.begin(), sorted.end());
   const auto kinds = std::unique(sorted.begin(), sorted.end()) - sorted.begin();
+  if (sorted.back() <= 0)
+  {
+    return NOWHERE;
+  }
   if (kinds == 1)
   {
-    return around[0] == 0 ? NOWHERE : INSIDE;
+    return INSIDE;
   }
   // Two voxels of one label that only touch in the edge are a joint.
   const bool isJoint = around[0] == around[3] && around[1] == around[2];
   return kinds > 2 || isJoint ? CURVE : INTERFACE;
+}
+
+/// Whether faces of the border end at an edge, or turn there.
+bool EndsBorder(const std::array<int, 4>& around)
+{
+  const auto outside = std::count(around.begin(), around.end(), Outside);
+  const auto inside =
+    std::count_if(around.begin(), around.end(), [](int label) { return label > 0; });
+  return outside > 0 && inside > 0 && !(outside == 2 && inside == 2);
 }
 
 double Dot(const Vector& a, const Vector& b)
@@ -66,29 +82,58 @@ double Dot(const std::vector<double>& a, const std::vector<double>& b)
 
 }
 
-LabelNet::LabelNet(const LabelImage& image, double largest)
+LabelNet::LabelNet(const LabelImage& image, double largest, bool isFlat)
   : Image(image)
   , Largest(largest)
+  , IsFlat(isFlat)
   , Lines{ image.Size[0] + 1, image.Size[1] + 1, image.Size[2] + 1 }
   , Ids(Lines[0] * Lines[1] * Lines[2], -1)
 {
   this->AddPoints();
   this->AddCells();
   this->AddFaces();
-  this->Smoothed.assign(this->Corners.size(), Vector{ 0., 0., 0. });
+  this->Smoothed.resize(this->Corners.size());
+  ForEach(this->GetNumberOfPoints(), [&](vtkIdType i)
+    { this->Smoothed[i] = { this->GetRest(i, 0), this->GetRest(i, 1), this->GetRest(i, 2) }; });
 }
 
-/// Beyond the image there is background.
+double LabelNet::GetRest(vtkIdType i, int axis) const
+{
+  const vtkIdType last = this->Image.Size[axis];
+  const double end = static_cast<double>(this->Image.FineSize[axis]) / this->Image.Length;
+  return this->Corners[i][axis] == last ? end - static_cast<double>(last) : 0.;
+}
+
+/// Beyond the image there is background, or no label at all.
 int LabelNet::GetLabel(vtkIdType i, vtkIdType j, vtkIdType k) const
 {
-  const auto& size = this->Image.Size;
-  const bool isThere = i >= 0 && i < size[0] && j >= 0 && j < size[1] && k >= 0 && k < size[2];
-  return isThere ? this->Image.Voxels[this->Image.GetId(i, j, k)] : 0;
+  std::array<vtkIdType, 3> at{ i, j, k };
+  int beyond = 0;
+  int end = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const vtkIdType inside = std::clamp(at[axis], vtkIdType(0), this->Image.Size[axis] - 1);
+    if (inside != at[axis])
+    {
+      ++beyond;
+      end = 2 * axis + (at[axis] > 0 ? 1 : 0);
+      at[axis] = inside;
+    }
+  }
+  const vtkIdType voxel = this->Image.GetId(at[0], at[1], at[2]);
+  const int label = this->Image.Voxels[voxel];
+  if (beyond == 0)
+  {
+    return label;
+  }
+  const bool touches = beyond == 1 && label > 0 && (this->Image.Ends[voxel] >> end & 1);
+  return touches && this->IsFlat ? Outside : 0;
 }
 
 void LabelNet::AddPoints()
 {
   std::array<int, 8> around;
+  const vtkIdType strides[3] = { 1, this->Lines[0], this->Lines[0] * this->Lines[1] };
   Turns turns;
   for (int k = 0; k < this->Lines[2]; ++k)
   {
@@ -100,10 +145,11 @@ void LabelNet::AddPoints()
         {
           around[v] = this->GetLabel(i - 1 + (v & 1), j - 1 + (v >> 1 & 1), k - 1 + (v >> 2));
         }
-        if (std::all_of(around.begin(), around.end(), [](int label) { return label == 0; }))
+        if (std::all_of(around.begin(), around.end(), [](int label) { return label <= 0; }))
         {
           continue;
         }
+        const vtkIdType place = this->GetPlace(i, j, k);
         int masks[4] = { 0, 0, 0, 0 };
         for (int direction = 0; direction < 6; ++direction)
         {
@@ -117,16 +163,34 @@ void LabelNet::AddPoints()
             }
           }
           masks[Classify(four)] |= 1 << direction;
+          if (direction % 2 && EndsBorder(four))
+          {
+            this->BorderEdges.push_back({ place, place + strides[direction / 2] });
+          }
         }
         const int curves = masks[CURVE];
         const bool isOnCurve = curves & (curves - 1); // the end of a curve lies on an interface
         const int on = isOnCurve ? curves : curves | masks[INTERFACE];
-        this->Ids[this->GetPlace(i, j, k)] = this->GetNumberOfPoints();
+        this->Ids[place] = this->GetNumberOfPoints();
         this->Corners.push_back({ i, j, k });
         this->Directions.push_back(static_cast<unsigned char>(on ? on : masks[INSIDE]));
         this->IsInside.push_back(on == 0);
+        int held = 0;
+        for (int v = 0; v < 8; ++v)
+        {
+          const vtkIdType at[3] = { i - 1 + (v & 1), j - 1 + (v >> 1 & 1), k - 1 + (v >> 2) };
+          for (int axis = 0; axis < 3 && around[v] == Outside; ++axis)
+          {
+            held |= at[axis] < 0 || at[axis] >= this->Image.Size[axis] ? 1 << axis : 0;
+          }
+        }
+        this->Held.push_back(static_cast<unsigned char>(held));
       }
     }
+  }
+  for (auto& edge : InTurn(this->BorderEdges))
+  {
+    edge = { this->Ids[edge[0]], this->Ids[edge[1]] };
   }
 }
 
@@ -177,8 +241,8 @@ void LabelNet::AddFaces()
       {
         for (vtkIdType i = 0; i < this->Lines[0] - u[0] - v[0]; ++i, turns.Next())
         {
-          const int low = this->GetLabel(i - back[0], j - back[1], k - back[2]);
-          const int high = this->GetLabel(i, j, k);
+          const int low = std::max(0, this->GetLabel(i - back[0], j - back[1], k - back[2]));
+          const int high = std::max(0, this->GetLabel(i, j, k));
           if (low != high)
           {
             const vtkIdType first = this->GetPlace(i, j, k);
@@ -195,11 +259,30 @@ void LabelNet::AddFaces()
   }
 }
 
-Vector LabelNet::Limit(const Vector& move) const
+Vector LabelNet::Limit(vtkIdType i, Vector move) const
 {
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    move[axis] = this->IsHeld(i, axis) ? 0. : move[axis];
+  }
   const double length = std::sqrt(Dot(move, move));
   const double factor = length > this->Largest ? this->Largest / length : 1.;
-  return { factor * move[0], factor * move[1], factor * move[2] };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double rest = this->GetRest(i, axis);
+    const int at = this->Corners[i][axis];
+    move[axis] *= factor;
+    if (this->IsFlat && at == 0)
+    {
+      move[axis] = std::max(move[axis], rest); // nothing leaves the image
+    }
+    else if (this->IsFlat && at == this->Image.Size[axis])
+    {
+      move[axis] = std::min(move[axis], rest);
+    }
+    move[axis] = this->IsHeld(i, axis) ? rest : move[axis];
+  }
+  return move;
 }
 
 void LabelNet::Step(double factor, bool isInside, const Vectors& from, Vectors& to) const
@@ -228,7 +311,7 @@ void LabelNet::Step(double factor, bool isInside, const Vectors& from, Vectors& 
       {
         Add(-count, from[i], sum);
         Add(factor / count, sum, to[i]);
-        to[i] = this->Limit(to[i]);
+        to[i] = this->Limit(i, to[i]);
       }
     });
 }
@@ -253,7 +336,11 @@ void LabelNet::Stiffen(const std::vector<vtkIdType>& cells)
   SortDistinct(points);
   for (const vtkIdType point : InTurn(points))
   {
-    Add(-.25, Vector(this->Smoothed[point]), this->Smoothed[point]);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      double& move = this->Smoothed[point][axis];
+      move -= .25 * (move - this->GetRest(point, axis));
+    }
   }
 }
 
@@ -298,6 +385,14 @@ LabelNet::Vectors LabelNet::Press(const Vectors& areas, const std::vector<double
       Add(pressure / std::max(sizes[corner], smallest), areas[f], moves[corner]);
     }
   }
+  ForEach(this->GetNumberOfPoints(),
+    [&](vtkIdType i)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        moves[i][axis] = this->IsHeld(i, axis) ? 0. : moves[i][axis];
+      }
+    });
   return moves;
 }
 
@@ -331,6 +426,7 @@ LabelNet::Vectors LabelNet::Solve(const Vectors& areas, const std::vector<double
   }
   constexpr int most = 100;
   constexpr double accuracy = 1e-20; // of squares
+  constexpr double stiffness = 1e-6; // labels in a box of flat borders cannot all grow
   std::vector<double> pressures(change.size(), 0.);
   std::vector<double> residual = change;
   residual[0] = 0.;
@@ -339,8 +435,11 @@ LabelNet::Vectors LabelNet::Solve(const Vectors& areas, const std::vector<double
   double square = start;
   for (int i = 0; i < most && square > accuracy * start; ++i)
   {
-    const std::vector<double> product =
-      this->GetChange(areas, this->Press(areas, sizes, direction));
+    std::vector<double> product = this->GetChange(areas, this->Press(areas, sizes, direction));
+    for (std::size_t m = 0; m < product.size(); ++m)
+    {
+      product[m] += stiffness * direction[m];
+    }
     const double resistance = Dot(direction, product);
     if (resistance <= 0.)
     {
@@ -378,7 +477,7 @@ std::vector<Vector> LabelNet::HoldVolumes(const std::vector<double>& volumes) co
     for (std::size_t i = 0; i < moves.size(); ++i)
     {
       Add(1., more[i], moves[i]);
-      moves[i] = this->Limit(moves[i]);
+      moves[i] = this->Limit(static_cast<vtkIdType>(i), moves[i]);
     }
   }
   for (const std::size_t i : InTurn(moves.size()))

@@ -3,10 +3,12 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Control/MemoryEstimate.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Labels/LabelImage.h"
 #include "Private/Labels/LabelNet.h"
+#include "Private/Labels/LabelPieces.h"
 #include "Private/Labels/Materials.h"
 #include "Private/Labels/VoxelGrid.h"
 
@@ -21,6 +23,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -46,11 +49,6 @@ constexpr int NotHereCell = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttribu
 constexpr int NotHerePoint =
   vtkDataSetAttributes::HIDDENPOINT | vtkDataSetAttributes::DUPLICATEPOINT;
 
-std::string Text(double label)
-{
-  return std::to_string(static_cast<long long>(label));
-}
-
 /// One execution.
 class LabelSolid
 {
@@ -67,7 +65,9 @@ private:
   bool Read();
   bool HasHiddenPoint(vtkIdType cell) const;
   bool HasMemory() const;
+  void ReadBlocks();
   void WarnOfLostLabels(const LabelNet& net) const;
+  void WarnOfPieces() const;
   vtkSmartPointer<vtkUnstructuredGrid> MakeControlMesh(
     const LabelNet& net, const VoxelGrid& placement) const;
   /// Of a solid: volumes of labels, in control voxels; the control cells with a thin tetrahedron.
@@ -89,15 +89,15 @@ private:
   std::string Name;
   LabelImage Fine;
   LabelImage Coarse;
-  int Length = 1;             ///< of a control voxel, in voxels
+  Buffer<vtkIdType> Pieces;   ///< of Fine, where blocks have more voxels than one
   std::vector<double> Wanted; ///< volumes of labels in control voxels; 0 where no cell is left
   std::vector<double> Shares; ///< volumes of control cells, in the mean of all
 };
 
 bool LabelSolid::HasMemory() const
 {
-  // The labels of voxels, those of blocks and the ids of corners; corners, cells and their faces.
-  constexpr double bytesPerVoxel = 4. + 4. + 8.;
+  // The labels of voxels, their pieces and the ids of corners; corners, cells and their faces.
+  constexpr double bytesPerVoxel = 4. + 8. + 8.;
   constexpr double bytesPerCell = 300.;
   const double voxels = static_cast<double>(this->Options.Labels->GetNumberOfTuples());
   const double cells = static_cast<double>(this->Coarse.NumberOfMaterialVoxels);
@@ -173,7 +173,7 @@ bool LabelSolid::Read()
     return false;
   }
   const std::string fault = ReadLabels(
-    labels, this->Options.Background,
+    labels, vtkVariant(static_cast<long long>(this->Options.Background)),
     [&](vtkIdType i)
     {
       return (ghosts && (static_cast<int>(ghosts->GetComponent(i, 0)) & hidden)) ||
@@ -186,9 +186,51 @@ bool LabelSolid::Read()
       (this->Options.OfPoints ? "Point array \"" : "Cell array \"") + this->Name + "\" " + fault);
     return false;
   }
-  this->Length = FindBlockLength(this->Fine, this->Options.WantedCells);
-  this->Coarse = Coarsen(this->Fine, this->Length);
+  if (this->Fine.NumberOfMissing > 0)
+  {
+    this->Options.Warn(std::to_string(this->Fine.NumberOfMissing) +
+      " voxels have a label that is not finite, the first is number " +
+      std::to_string(this->Fine.FirstMissing) + ": the filter leaves them out like background.");
+  }
+  this->ReadBlocks();
   return this->HasMemory();
+}
+
+void LabelSolid::ReadBlocks()
+{
+  const vtkIdType wanted = this->Options.WantedCells;
+  const vtkIdType longest = *std::max_element(this->Fine.Size.begin(), this->Fine.Size.end());
+  int length = FindBlockLength(this->Fine, wanted);
+  this->Coarse = Coarsen(this->Fine, length);
+  if (length > 1)
+  {
+    this->Pieces = FindPieces(this->Fine, this->Options.ByCorners);
+  }
+  // Blocks that connect others may be too many.
+  while (length > 1 && this->Options.KeepConnected)
+  {
+    KeepConnected(this->Fine, this->Pieces, this->Options.ByCorners, this->Coarse);
+    if (this->Coarse.NumberOfMaterialVoxels <= wanted || length >= longest)
+    {
+      return;
+    }
+    this->Coarse = Coarsen(this->Fine, ++length);
+  }
+}
+
+void LabelSolid::WarnOfPieces() const
+{
+  if (this->Coarse.Length == 1)
+  {
+    return; // pieces are those of the voxels
+  }
+  const std::string changed =
+    DescribeChangedLabels(this->Fine, this->Pieces, this->Options.ByCorners, this->Coarse);
+  if (!changed.empty())
+  {
+    this->Options.Warn(
+      changed + (this->Options.KeepConnected ? "." : ", or switch KeepConnected on."));
+  }
 }
 
 void LabelSolid::WarnOfLostLabels(const LabelNet& net) const
@@ -203,8 +245,8 @@ void LabelSolid::WarnOfLostLabels(const LabelNet& net) const
   {
     const auto first = std::find(isThere.begin() + 1, isThere.end(), false) - isThere.begin() - 1;
     this->Options.Warn(std::to_string(lost) + " of " + std::to_string(this->Fine.Labels.size()) +
-      " labels have the most voxels in no block of " + std::to_string(this->Length) +
-      "^3 voxels and are not in the output; the first is " + Text(this->Fine.Labels[first]) +
+      " labels have the most voxels in no block of " + std::to_string(this->Coarse.Length) +
+      "^3 voxels and are not in the output; the first is " + this->Fine.Labels[first].ToString() +
       ". Make NumberOfControlCells larger.");
   }
 }
@@ -231,7 +273,7 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
   vtkFieldData* fields = grid->GetFieldData();
   fields->PassData(this->Image->GetFieldData());
   vtkCellData* data = grid->GetCellData();
-  CopyVoxelArrays(this->Fine, this->Coarse, this->Length,
+  CopyVoxelArrays(this->Fine, this->Coarse,
     this->Options.OfPoints ? static_cast<vtkDataSetAttributes*>(this->Image->GetPointData())
                            : this->Image->GetCellData(),
     this->Options.Labels, data, this->Options.Warn);
@@ -240,14 +282,15 @@ vtkSmartPointer<vtkUnstructuredGrid> LabelSolid::MakeControlMesh(
     AddMaterials(this->Options.Materials, this->Name, this->Fine.Labels, net.GetCellLabels(), data,
       fields, this->Options.Warn);
   }
-  const auto labels = vtkSmartPointer<vtkDataArray>::Take(this->Options.Labels->NewInstance());
-  labels->SetName(this->Name.c_str());
-  labels->SetNumberOfTuples(static_cast<vtkIdType>(net.GetCells().size()));
-  for (const vtkIdType cell : InTurn(labels->GetNumberOfTuples()))
+  std::vector<vtkIdType> sources;
+  for (const int label : InTurn(net.GetCellLabels()))
   {
-    labels->SetComponent(cell, 0, this->Fine.Labels[net.GetCellLabels()[cell] - 1]);
+    sources.push_back(this->Fine.FirstVoxels[label - 1]);
   }
-  data->SetScalars(labels);
+  const auto labels =
+    Gather(this->Options.Labels, { sources.data(), sources.data() + sources.size() });
+  labels->SetName(this->Name.c_str());
+  data->SetScalars(vtkDataArray::SafeDownCast(labels));
   return grid;
 }
 
@@ -312,8 +355,8 @@ void LabelSolid::WarnOf(const Measures& found) const
     const double volume = this->Wanted[m] > 0. ? found.Volumes[m] / this->Wanted[m] : 1.;
     if (std::abs(volume - 1.) > ToldError && ++count == 1)
     {
-      first = "label " + Text(this->Fine.Labels[m - 1]) + " has " + std::to_string(100. * volume) +
-        " % of the volume of its voxels";
+      first = "label " + this->Fine.Labels[m - 1].ToString() + " has " +
+        std::to_string(100. * volume) + " % of the volume of its voxels";
     }
   }
   if (count > 0)
@@ -332,11 +375,19 @@ vtkUnstructuredGrid* LabelSolid::Solve(
   const double voxel = std::abs(placement.GetVoxelVolume());
   // Corners are moved among voxels that all count alike; rounds correct the rest.
   std::vector<double> target(this->Wanted.size(), 0.);
-  const double part = 1. / std::pow(static_cast<double>(this->Length), 3);
+  const double part = 1. / std::pow(static_cast<double>(this->Coarse.Length), 3);
   for (const int label : InTurn(this->Fine.Voxels))
   {
     target[label] += this->Wanted[label] > 0. ? part : 0.;
   }
+  vtkNew<vtkCellArray> edges;
+  for (const auto& edge : InTurn(net.GetBorderEdges()))
+  {
+    edges->InsertNextCell(2, edge.data());
+  }
+  vtkNew<vtkPolyData> creases;
+  creases->SetPoints(grid->GetPoints());
+  creases->SetLines(edges);
   double before = VTK_DOUBLE_MAX;
   for (int round = 1;; ++round)
   {
@@ -348,7 +399,7 @@ vtkUnstructuredGrid* LabelSolid::Solve(
       grid->GetPoints()->SetPoint(i, point);
     }
     grid->GetPoints()->Modified();
-    vtkUnstructuredGrid* solid = this->Options.Subdivide(grid);
+    vtkUnstructuredGrid* solid = this->Options.Subdivide(grid, creases);
     if (!solid)
     {
       return nullptr;
@@ -380,13 +431,11 @@ std::vector<double> LabelSolid::SumVolumes(const LabelNet& net, const VoxelGrid&
   {
     isThere[label] = true;
   }
-  const std::array<vtkIdType, 3>& size = this->Fine.Size;
   for (const vtkIdType voxel : InTurn(this->Fine.Voxels.size()))
   {
     const int label = this->Fine.Voxels[voxel];
     volumes[label] += label > 0 && isThere[label]
-      ? placement.GetShare(
-          { voxel % size[0], voxel / size[0] % size[1], voxel / size[0] / size[1] }, 1)
+      ? placement.GetShare(this->Fine.GetPlace(voxel), { 1, 1, 1 })
       : 0.;
   }
   return volumes;
@@ -396,15 +445,12 @@ std::vector<double> LabelSolid::SumVolumes(const LabelNet& net, const VoxelGrid&
 std::vector<double> LabelSolid::FindShares(const VoxelGrid& placement) const
 {
   std::vector<double> shares;
-  const std::array<vtkIdType, 3>& size = this->Coarse.Size;
-  for (const vtkIdType voxel : InTurn(this->Coarse.Voxels.size()))
+  for (const vtkIdType block : InTurn(this->Coarse.Voxels.size()))
   {
-    if (this->Coarse.Voxels[voxel] > 0)
+    if (this->Coarse.Voxels[block] > 0)
     {
-      shares.push_back(placement.GetShare(
-        { this->Length * (voxel % size[0]), this->Length * (voxel / size[0] % size[1]),
-          this->Length * (voxel / size[0] / size[1]) },
-        this->Length));
+      shares.push_back(
+        placement.GetShare(this->Coarse.GetFirst(block), this->Coarse.GetExtent(block)));
     }
   }
   return shares;
@@ -419,17 +465,18 @@ bool LabelSolid::Run(vtkUnstructuredGrid* output)
   if (this->Fine.NumberOfMaterialVoxels == 0)
   {
     this->Options.Warn("All voxels have the label of the background, " +
-      Text(this->Options.Background) +
+      std::to_string(this->Options.Background) +
       ", or are hidden: the output is empty. Set BackgroundLabel to another number.");
     return true;
   }
-  LabelNet net(this->Coarse, this->Options.LargestMove);
+  LabelNet net(this->Coarse, this->Options.LargestMove, this->Options.FlatBorder);
   this->WarnOfLostLabels(net);
+  this->WarnOfPieces();
   if (net.GetCells().empty())
   {
     return true;
   }
-  VoxelGrid placement(this->Image, this->Options.OfPoints, this->Length);
+  VoxelGrid placement(this->Image, this->Options.OfPoints, this->Coarse.Length);
   placement.FindFault(); // Read found none
   this->Wanted = this->SumVolumes(net, placement);
   this->Shares = this->FindShares(placement);

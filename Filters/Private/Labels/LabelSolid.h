@@ -16,6 +16,7 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkFieldData;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace subdivision
@@ -28,15 +29,19 @@ struct LabelSolidOptions : RunOptions
 {
   vtkDataArray* Labels = nullptr; ///< of the image or grid, one for each voxel
   bool OfPoints = false;          ///< voxels are around points; false: they are the cells
-  double Background = 0.;
+  vtkIdType Background = 0;
   vtkIdType WantedCells = 0; ///< of the control mesh; 0: one for each voxel
+  bool ByCorners = true;     ///< whether voxels that touch in an edge or corner are connected
+  bool KeepConnected = true;
+  bool FlatBorder = true;
   int SmoothingSteps = 0;
   double LargestMove = 0.; ///< in control voxels
   int Levels = 0;
   vtkFieldData* Materials = nullptr; ///< a table; null: there is none
   /// Makes the limit that passes through the points of a grid of hexahedra, with interfaces between
-  /// labels, and original ids. Returns null after an error or a stop.
-  std::function<vtkUnstructuredGrid*(vtkUnstructuredGrid*)> Subdivide;
+  /// labels, creases at lines between points of the grid, and original ids. Returns null after an
+  /// error or a stop.
+  std::function<vtkUnstructuredGrid*(vtkUnstructuredGrid*, vtkPolyData*)> Subdivide;
 };
 
 /// The name of the output's labels.

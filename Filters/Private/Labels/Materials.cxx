@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Labels/Materials.h"
 
+#include "Private/Arrays/Arrays.h"
+#include "Private/Labels/LabelImage.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkSmartPointer.h"
 
-#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -33,21 +35,18 @@ bool IsMaterialTable(vtkFieldData* table, const std::string& name)
 namespace
 {
 
-std::string Text(double label)
-{
-  return std::to_string(static_cast<long long>(label));
-}
-
 /// For each place in `labels`, plus 1, the row of the table; -1: there is none.
 std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
-  const std::vector<double>& labels, const std::function<void(const std::string&)>& warn)
+  const std::vector<vtkVariant>& labels, const std::function<void(const std::string&)>& warn)
 {
-  std::map<double, vtkIdType> rows;
-  std::set<double> repeated;
+  std::map<vtkVariant, vtkIdType> rows;
+  std::set<vtkVariant> repeated;
+  const auto values = column ? Contiguous(column) : nullptr;
   for (vtkIdType row = 0; row < size; ++row)
   {
-    const double label = column ? column->GetComponent(row, 0) : static_cast<double>(row);
-    if (!std::isnan(label) && !rows.emplace(label, row).second)
+    const vtkVariant label =
+      values ? FindWholeNumber(values, row) : vtkVariant(static_cast<long long>(row));
+    if (label.IsValid() && !rows.emplace(label, row).second)
     {
       repeated.insert(label);
     }
@@ -64,11 +63,11 @@ std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
     }
     else if (without.empty())
     {
-      without = Text(labels[i]);
+      without = labels[i].ToString();
     }
     if (several.empty() && repeated.count(labels[i]) > 0)
     {
-      several = Text(labels[i]);
+      several = labels[i].ToString();
     }
   }
   if (!without.empty())
@@ -85,8 +84,9 @@ std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
 
 }
 
-void AddMaterials(vtkFieldData* table, const std::string& name, const std::vector<double>& labels,
-  const std::vector<int>& cellLabels, vtkDataSetAttributes* cells, vtkFieldData* fields,
+void AddMaterials(vtkFieldData* table, const std::string& name,
+  const std::vector<vtkVariant>& labels, const std::vector<int>& cellLabels,
+  vtkDataSetAttributes* cells, vtkFieldData* fields,
   const std::function<void(const std::string&)>& warn)
 {
   vtkDataArray* column = FindLabelColumn(table, name);
@@ -111,18 +111,16 @@ void AddMaterials(vtkFieldData* table, const std::string& name, const std::vecto
     {
       continue;
     }
-    const auto values =
-      vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::SafeDownCast(from->NewInstance()));
-    values->SetName(from->GetName());
-    values->SetNumberOfComponents(from->GetNumberOfComponents());
-    values->SetNumberOfTuples(static_cast<vtkIdType>(cellLabels.size()));
+    const auto plain = Contiguous(vtkDataArray::SafeDownCast(from));
+    const auto values = vtkSmartPointer<vtkDataArray>(
+      vtkDataArray::SafeDownCast(MakeLike(from, static_cast<vtkIdType>(cellLabels.size()))));
     values->Fill(0.);
     for (std::size_t cell = 0; cell < cellLabels.size(); ++cell)
     {
       const vtkIdType row = rowOfIndex[cellLabels[cell]];
-      if (row >= 0 && row < from->GetNumberOfTuples())
+      if (row >= 0)
       {
-        values->SetTuple(static_cast<vtkIdType>(cell), row, from);
+        values->SetTuple(static_cast<vtkIdType>(cell), row, plain);
       }
     }
     if (cells->HasArray(from->GetName()))

@@ -6,6 +6,8 @@
 #ifndef SubdivisionObjects_Materials_h
 #define SubdivisionObjects_Materials_h
 
+#include "vtkVariant.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,8 +24,9 @@ namespace subdivision
 /// `warn` is told of a label without a row, whose cells get zeros, of one with several rows, the
 /// first of which counts, of a column of labels that has no numbers, and of arrays of `cells` that
 /// columns replace.
-void AddMaterials(vtkFieldData* table, const std::string& name, const std::vector<double>& labels,
-  const std::vector<int>& cellLabels, vtkDataSetAttributes* cells, vtkFieldData* fields,
+void AddMaterials(vtkFieldData* table, const std::string& name,
+  const std::vector<vtkVariant>& labels, const std::vector<int>& cellLabels,
+  vtkDataSetAttributes* cells, vtkFieldData* fields,
   const std::function<void(const std::string&)>& warn);
 
 /// Whether there is a column for labels.

@@ -113,7 +113,7 @@ double VoxelGrid::MeasureMeanVoxel() const
     {
       for (at[0] = 0; at[0] < this->Points[0] - cells; ++at[0], turns.Next())
       {
-        sum += this->MeasureBox(at, 1);
+        sum += this->MeasureBox(at, { 1, 1, 1 });
       }
     }
   }
@@ -170,7 +170,8 @@ void VoxelGrid::PlaceIndex(const Vector& index, double* point) const
 }
 
 /// The volume of the six tetrahedra around the diagonal of a box of voxels.
-double VoxelGrid::MeasureBox(const std::array<vtkIdType, 3>& first, int voxels) const
+double VoxelGrid::MeasureBox(
+  const std::array<vtkIdType, 3>& first, const std::array<vtkIdType, 3>& extent) const
 {
   double corners[8][3];
   for (int corner = 0; corner < 8; ++corner)
@@ -179,7 +180,7 @@ double VoxelGrid::MeasureBox(const std::array<vtkIdType, 3>& first, int voxels) 
     for (int axis = 0; axis < 3; ++axis)
     {
       index[axis] = this->First + static_cast<double>(first[axis]) +
-        static_cast<double>((corner >> axis & 1) * voxels);
+        static_cast<double>((corner >> axis & 1) * extent[axis]);
     }
     this->PlaceIndex(index, corners[corner]);
   }
@@ -196,10 +197,12 @@ double VoxelGrid::MeasureBox(const std::array<vtkIdType, 3>& first, int voxels) 
   return volume;
 }
 
-double VoxelGrid::GetShare(const std::array<vtkIdType, 3>& first, int voxels) const
+double VoxelGrid::GetShare(
+  const std::array<vtkIdType, 3>& first, const std::array<vtkIdType, 3>& extent) const
 {
-  return this->IsEven ? 1. / std::pow(this->Length / voxels, 3)
-                      : this->MeasureBox(first, voxels) / this->VoxelVolume;
+  return this->IsEven
+    ? static_cast<double>(extent[0] * extent[1] * extent[2]) / std::pow(this->Length, 3)
+    : this->MeasureBox(first, extent) / this->VoxelVolume;
 }
 
 }

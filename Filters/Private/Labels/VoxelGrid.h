@@ -36,14 +36,15 @@ public:
   /// The volume of a control voxel, negative in mirrored data: of all the same, or the mean. Call
   /// FindFault before.
   double GetVoxelVolume() const { return this->VoxelVolume; }
-  /// The volume of the part of the data that `voxels` voxels from `first` on take along each axis,
-  /// in control voxels.
-  double GetShare(const std::array<vtkIdType, 3>& first, int voxels) const;
+  /// The volume of a box of voxels of the data, in control voxels.
+  double GetShare(
+    const std::array<vtkIdType, 3>& first, const std::array<vtkIdType, 3>& extent) const;
 
 private:
   void PlaceIndex(const Vector& index, double* point) const;
   double MeasureMeanVoxel() const;
-  double MeasureBox(const std::array<vtkIdType, 3>& first, int voxels) const;
+  double MeasureBox(
+    const std::array<vtkIdType, 3>& first, const std::array<vtkIdType, 3>& extent) const;
 
   vtkDataSet* Data;
   std::array<vtkIdType, 3> Points; ///< along each axis

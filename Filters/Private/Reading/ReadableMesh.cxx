@@ -13,6 +13,8 @@
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkExplicitStructuredGrid.h"
@@ -465,6 +467,27 @@ private:
 
 }
 
+void CopyTree(vtkCompositeDataSet* from, vtkCompositeDataSet* to)
+{
+  to->CopyStructure(from);
+  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  auto* tree = vtkDataObjectTree::SafeDownCast(from);
+  if (!tree)
+  {
+    return;
+  }
+  const auto at = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  at->VisitOnlyLeavesOff();
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    auto* inner = vtkCompositeDataSet::SafeDownCast(at->GetCurrentDataObject());
+    if (vtkDataObject* made = inner ? to->GetDataSet(at) : nullptr)
+    {
+      made->GetFieldData()->ShallowCopy(inner->GetFieldData());
+    }
+  }
+}
+
 vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
   const std::function<vtkSmartPointer<vtkDataObject>(vtkDataObject*, unsigned int)>& change)
 {
@@ -474,8 +497,7 @@ vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
     return input ? change(input, 0) : nullptr;
   }
   auto to = vtkSmartPointer<vtkCompositeDataSet>::Take(from->NewInstance());
-  to->CopyStructure(from);
-  to->GetFieldData()->ShallowCopy(from->GetFieldData());
+  CopyTree(from, to);
   bool isSame = true;
   const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(from->NewIterator());
   for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())

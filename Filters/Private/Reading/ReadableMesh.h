@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+class vtkCompositeDataSet;
 class vtkDataObject;
 
 namespace subdivision
@@ -24,6 +25,10 @@ enum class NonLinearRule
   Corners, ///< linear cells at their corners
   Pieces   ///< are left as they are, and CellsToSimplices cuts them
 };
+
+/// Gives a composite data set the structure and the field data of another, and of all in it that
+/// are no blocks.
+void CopyTree(vtkCompositeDataSet* from, vtkCompositeDataSet* to);
 
 /// Calls change(mesh) for a mesh, or for all blocks of a composite data set. The result is the
 /// input where nothing changes, else a mesh or a composite data set of the same structure. `change`

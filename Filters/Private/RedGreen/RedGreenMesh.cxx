@@ -136,8 +136,7 @@ bool GreenUndo::HasSameData(vtkIdType first, vtkIdType cell, std::string& fault)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
     if (array->GetNumberOfTuples() == this->Input->GetNumberOfCells() &&
-      array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
-      !HasSameTuples(array, first, cell))
+      array != data->GetGlobalIds() && !HasSameTuples(array, first, cell))
     {
       fault = std::string("The cell array \"") + (array->GetName() ? array->GetName() : "") +
         "\" has different values in green cells " + std::to_string(first) + " and " +

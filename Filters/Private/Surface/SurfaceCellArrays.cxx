@@ -5,6 +5,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Arrays/CellArrays.h"
 #include "Private/Control/Partners.h"
 
 #include "vtkCellData.h"
@@ -143,6 +144,17 @@ public:
     const Buffer<vtkIdType>& faces = this->FindSources(level, this->Steps.GetNumberOfSteps());
     return Gather(both, Whole(this->Join([&](vtkIdType f) { return tuples + faces[f]; })));
   }
+  /// The input cell of each output cell.
+  const Buffer<vtkIdType>& GetSources()
+  {
+    if (this->Sources.empty())
+    {
+      const Buffer<vtkIdType>& faces =
+        this->FindSources(this->FirstStep, this->Steps.GetNumberOfSteps());
+      this->Sources = this->Join([&](vtkIdType f) { return this->Cells.FaceCells[faces[f]]; });
+    }
+    return this->Sources;
+  }
   /// Makes the array of the input cell that each output cell comes from.
   vtkSmartPointer<vtkIdTypeArray> CopyIds(const char* name, CarriedCells& next)
   {
@@ -207,17 +219,6 @@ private:
     }
     return sources;
   }
-  /// The input cell of each output cell.
-  const Buffer<vtkIdType>& GetSources()
-  {
-    if (this->Sources.empty())
-    {
-      const Buffer<vtkIdType>& faces =
-        this->FindSources(this->FirstStep, this->Steps.GetNumberOfSteps());
-      this->Sources = this->Join([&](vtkIdType f) { return this->Cells.FaceCells[faces[f]]; });
-    }
-    return this->Sources;
-  }
 
   /// The carried data of earlier faces for an array, if the input still shows them. Null if there
   /// are none or the array was changed since: then the values of the input are used.
@@ -261,22 +262,30 @@ private:
   std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
 };
 
-/// Calls use(array, i) for each array of `input` that can be used.
-template <typename Use>
-void ForEachArray(vtkPolyData* input, bool originals, const RunOptions& options, const Use& use)
+/// Adds copy(array) for each array of `input` that can be used to `to`. `sources()`: the cells of
+/// the input that those of the output come from.
+template <typename Sources, typename Copy>
+void CopyArrays(vtkPolyData* input, bool originals, const RunOptions& options,
+  const Sources& sources, const Copy& copy, vtkCellData* to)
 {
   vtkCellData* from = input->GetCellData();
+  const bool hasGlobalIds =
+    from->GetGlobalIds() && AreAllCells(sources(), input->GetNumberOfCells());
   for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = from->GetAbstractArray(i);
     const std::string name = array->GetName() ? array->GetName() : "";
-    if (array != from->GetGlobalIds() && array != from->GetPedigreeIds() &&
+    if ((array != from->GetGlobalIds() || hasGlobalIds || options.GenerateOriginalIds) &&
       array != from->GetNormals() && // cells move
       !(originals && name == OriginalCellIdsName) &&
       HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
     {
-      use(array, i);
+      AddLike(from, i, copy(array), to);
     }
+  }
+  if (!hasGlobalIds) // children have the ids of their cell
+  {
+    to->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
 }
 
@@ -287,8 +296,10 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 {
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
-  ForEachArray(input, originals, options, [&](vtkAbstractArray* array, int i)
-    { AddLike(from, i, Gather(array, { sources.begin(), sources.end() }), to); });
+  const Row<vtkIdType> row{ sources.begin(), sources.end() };
+  CopyArrays(
+    input, originals, options, [&] { return row; },
+    [&](vtkAbstractArray* array) { return Gather(array, row); }, to);
   if (originals)
   {
     vtkNew<vtkIdTypeArray> ids;
@@ -311,8 +322,14 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   SurfaceSources<Id> sources(cells, steps, firstStep, carried);
   CarriedCells next;
   sources.FindChanged(input, others);
-  ForEachArray(input, originals, options,
-    [&](vtkAbstractArray* array, int i) { AddLike(from, i, sources.Copy(array, next), to); });
+  CopyArrays(
+    input, originals, options,
+    [&]
+    {
+      const Buffer<vtkIdType>& cellsOfInput = sources.GetSources();
+      return Row<vtkIdType>{ cellsOfInput.begin(), cellsOfInput.end() };
+    },
+    [&](vtkAbstractArray* array) { return sources.Copy(array, next); }, to);
   if (originals)
   {
     AddInstead(from, sources.CopyIds(OriginalCellIdsName, next), to);

@@ -15,12 +15,12 @@ namespace subdivision
 {
 
 /// Copies every cell array of `input` to cells that come from `sources`, with `vtkOriginalCellIds`
-/// if `originals`. Global and pedigree ids are dropped.
+/// if `originals`.
 void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
   const RunOptions& options, vtkPolyData* output);
 
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
-/// the last level. Global and pedigree ids are dropped; the sharpness of lines is reduced.
+/// the last level. The sharpness of lines is reduced.
 /// `goesOn`: an earlier filter made the input, so that its original ids are kept. `carried`: before
 /// the call what that filter left, afterwards what the next filter needs. `others`: the partitions
 /// that call this together, null if the input is not a region (SurfaceRegion.h).

@@ -322,7 +322,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   this->Points->ForgetInputPoints();
   request.Output->Initialize();
   this->Points->Finish(request.Output);
-  FinishPlaces(found, request.Output);
+  FinishPlaces(found, request.Targets, request.Output);
   return true;
 }
 

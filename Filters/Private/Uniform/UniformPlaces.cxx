@@ -287,7 +287,7 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
     });
   this->Points->ForgetInputPoints();
   this->Points->Finish(output);
-  FinishPlaces(found, output);
+  FinishPlaces(found, request.Targets, output);
   return true;
 }
 

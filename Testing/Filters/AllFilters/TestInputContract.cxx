@@ -14,6 +14,7 @@
 #include "vtkCharArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
 
@@ -316,6 +317,26 @@ const std::map<std::string, Case>& GetCases()
         }) },
     { "strings", AddToPoints([] { return MakeNamed<vtkStringArray>("names", 1, 5); }) },
     { "bits", AddToPoints([] { return MakeFilled<vtkBitArray>("bits", 5, 1.); }) },
+    { "lookup-table",
+      AddToPoints(
+        []
+        {
+          const auto values = MakeFilled<vtkIntArray>("values", 5, 1.);
+          values->SetLookupTable(vtkNew<vtkLookupTable>());
+          return values;
+        }) },
+    { "pedigree-ids",
+      [](Trial& trial)
+      {
+        trial.Change = [](vtkUnstructuredGrid* grid)
+        { grid->GetCellData()->SetPedigreeIds(MakeFilled<vtkIdTypeArray>("ids", 2, 7.)); };
+      } },
+    { "pedigree-ids-short",
+      [](Trial& trial)
+      {
+        trial.Change = [](vtkUnstructuredGrid* grid)
+        { grid->GetPointData()->SetPedigreeIds(MakeFilled<vtkIdTypeArray>("ids", 4, 7.)); };
+      } },
     { "global-ids-short", GlobalIds({ 7, 8 }) },
     { "global-ids-equal", GlobalIds({ 7, 7, 7, 7, 7 }) },
     // Arrays that options name

@@ -341,7 +341,7 @@ TEST(MultiDimensionalSubdivisionArrays, NoneIsLostAndTheInputIsNotTouched)
         for (int a = 0; a < from[i]->GetNumberOfArrays(); ++a)
         {
           const char* name = from[i]->GetArrayName(a);
-          EXPECT_EQ(to[i]->HasArray(name) != 0, std::string(name) != "GlobalIds") << name;
+          EXPECT_TRUE(to[i]->HasArray(name) || std::string(name) == "GlobalIds") << name;
         }
       }
       EXPECT_EQ(CompareValues(to[2]->GetAbstractArray("names"), MakeNames("", 2)), "");
@@ -402,9 +402,11 @@ TEST(MultiDimensionalSubdivisionArrays, CellArraysOfAllKindsGoToTheChildren)
   }
 }
 
-TEST(MultiDimensionalSubdivisionArrays, IdsAreDroppedSilently)
+// Pedigree ids of cells also hold for their children; all others only where nothing is new.
+TEST(MultiDimensionalSubdivisionArrays, IdsAreKeptWhereTheyHold)
 {
-  const Grid grid = MakeMixedBox(1);
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } } });
   AddGlobalIds(grid, 1);
   grid->GetPointData()->SetPedigreeIds(MakeNames("pedigree", grid->GetNumberOfPoints()));
   grid->GetCellData()->SetPedigreeIds(
@@ -415,12 +417,18 @@ TEST(MultiDimensionalSubdivisionArrays, IdsAreDroppedSilently)
     options.Levels = levels;
     options.Integers = true;
     const Grid result = Subdivide(grid, options); // fails if anything is said
-    for (vtkDataSetAttributes* data :
-      std::initializer_list<vtkDataSetAttributes*>{ result->GetPointData(), result->GetCellData() })
+    for (const bool ofCells : { false, true })
     {
-      EXPECT_EQ(data->GetNumberOfArrays(), 0);
-      EXPECT_FALSE(data->GetGlobalIds());
-      EXPECT_FALSE(data->GetPedigreeIds());
+      const int type = ofCells ? vtkDataObject::CELL : vtkDataObject::POINT;
+      vtkDataSetAttributes* data = result->GetAttributes(type);
+      EXPECT_EQ(data->GetGlobalIds() != nullptr, levels == 0);
+      EXPECT_EQ(data->GetPedigreeIds() != nullptr, levels == 0 || ofCells);
+      EXPECT_EQ(data->GetNumberOfArrays(), levels == 0 ? 2 : ofCells ? 1 : 0);
+      for (vtkIdType i = 0; i < (levels == 0 ? result->GetNumberOfElements(type) : 0); ++i)
+      {
+        EXPECT_EQ(data->GetGlobalIds()->GetVariantValue(i),
+          grid->GetAttributes(type)->GetGlobalIds()->GetVariantValue(i));
+      }
     }
   }
 }
