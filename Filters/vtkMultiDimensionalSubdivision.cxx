@@ -20,6 +20,7 @@ vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 
 vtkMultiDimensionalSubdivision::vtkMultiDimensionalSubdivision()
   : Cache(std::make_unique<subdivision::OperatorCache>())
+  , Bezier(std::make_unique<subdivision::BezierRounds>())
 {
 }
 
@@ -53,8 +54,8 @@ void vtkMultiDimensionalSubdivision::Inspect(vtkDataObject*, vtkDataObject* read
 {
   if (this->WritesBezierCells())
   {
-    this->FurtherLevels =
-      subdivision::CountFurtherSteps(this->SharesRanks() ? nullptr : readable, false);
+    this->Bezier->SetFurtherSteps(
+      subdivision::CountFurtherSteps(this->SharesRanks() ? nullptr : readable, false));
   }
 }
 
@@ -71,10 +72,12 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
   {
     return part;
   }
-  return subdivision::MakeBezierCells(part,
-    { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
-      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { subdivision::Fail(this, text); } });
+  subdivision::BezierOptions options;
+  options.Tolerance = this->BezierTolerance;
+  options.Use32BitIds = this->Use32BitIds;
+  options.Controller = this->SharesRanks() ? this->Controller.Get() : nullptr;
+  options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
+  return this->Bezier->Finish(part, options);
 }
 
 bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
@@ -186,19 +189,25 @@ int vtkMultiDimensionalSubdivision::RequestData(
   const bool readsLimit = options.ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays || addsBounds;
   const bool isLocal = this->VolumeScheme == LINEAR || (this->NumberOfLevels <= 1 && !readsLimit);
-  const int result = this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
-    "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-      ". Use fewer levels, or a part of the input.",
-    [&](vtkPointSet* input, vtkPointSet* output)
-    {
-      if (writesBezierCells)
+  const auto run = [&](double begin, double end)
+  {
+    options.Part = { begin, end };
+    return this->Run(inputVector, outputVector, options,
+      isLocal ? "" : nullptr,
+      "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+        ". Use fewer levels, or a part of the input.",
+      [&](vtkPointSet* input, vtkPointSet* output)
       {
-        options.Levels = this->NumberOfLevels + this->FurtherLevels;
-      }
-      auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
-      return subdivision::SubdivideUniformly(input, options, grid) &&
-        (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
-    });
+        if (writesBezierCells)
+        {
+          options.Levels = this->Bezier->GetSteps();
+        }
+        auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
+        return subdivision::SubdivideUniformly(input, options, grid) &&
+          (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
+      });
+  };
+  const int result = writesBezierCells ? this->Bezier->Run(this->NumberOfLevels, run) : run(0., 1.);
   if (!this->Places)
   {
     this->Cache->ForgetUnused();

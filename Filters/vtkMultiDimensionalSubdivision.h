@@ -107,6 +107,7 @@ class vtkPolyData;
 
 namespace subdivision
 {
+class BezierRounds;
 class OperatorCache;
 struct PlaceRequest;
 }
@@ -317,15 +318,18 @@ public:
    * where all is regular. Each cell of the input, as a simplex, becomes one of them if the limit
    * differs from it by no more than BezierTolerance; else its children do, at most NumberOfLevels
    * times, so that cells become smaller around extraordinary vertices, creases and joints. Cells of
-   * the same size share the control points of their common edges and faces. Arrays of floating
-   * point numbers have control values as points have, all other point arrays the values of a point
-   * nearby. Points that no cell uses are left out.
+   * the same size share the control points of their common edges and faces. All have one degree:
+   * in a mesh with triangles lines have degree 4, too, and in one with tetrahedra all have 5.
+   * Arrays of floating point numbers have control values as points have, all other point arrays the
+   * values of a point nearby; values that are not finite split no cell. Points that no cell uses
+   * are left out.
    *
-   * The limit is read off a mesh of 2 more levels, of 3 if there are solids, which counts for
-   * MaximumNumberOfCells and memory. There are no global ids and no ghost cells of the pipeline,
-   * and the next filter reads the corners of the cells like any other mesh. Without effect on
-   * ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes a warning says that cells stay
-   * linear.
+   * The limit is read off a mesh of 2 more levels, of 3 if there are solids, than those by which
+   * some cell has to be split, which counts for MaximumNumberOfCells and memory: levels of
+   * NumberOfLevels that split no cell cost nothing. There are no global ids and no ghost cells of
+   * the pipeline, and the next filter reads the corners of the cells like any other mesh. Without
+   * effect on ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes a warning says that
+   * cells stay linear.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -495,8 +499,8 @@ private:
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
 
-  int FurtherLevels = 0; ///< that Bezier cells need
   std::unique_ptr<subdivision::OperatorCache> Cache;
+  std::unique_ptr<subdivision::BezierRounds> Bezier;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
   vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;

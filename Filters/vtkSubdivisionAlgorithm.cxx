@@ -205,11 +205,19 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   this->PrepareRun(given);
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkInformationDoubleKey* const step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  this->Told->Begin(
-    this->GetMTime(), info->Has(step) ? info->Get(step) : std::numeric_limits<double>::quiet_NaN());
+  const subdivision::ProgressPart all = options.Part;
+  if (all.Begin > 0.) // what was made before is not enough
+  {
+    this->Told->GoOn();
+    output->Initialize();
+  }
+  else
+  {
+    this->Told->Begin(this->GetMTime(),
+      info->Has(step) ? info->Get(step) : std::numeric_limits<double>::quiet_NaN());
+  }
   options.Told = this->Told.get();
   options.Factors = this->Factors;
-  const subdivision::ProgressPart all;
   options.Part = all.Take(0., 0.05);
   subdivision::ConnectToFilter(this, options, failed);
   const bool isRead = subdivision::DoWork(traits, options,

@@ -20,6 +20,7 @@ vtkStandardNewMacro(vtkSurfaceSubdivision);
 
 vtkSurfaceSubdivision::vtkSurfaceSubdivision()
   : Cache(std::make_unique<subdivision::SurfaceCache>())
+  , Bezier(std::make_unique<subdivision::BezierRounds>())
 {
 }
 
@@ -92,8 +93,8 @@ void vtkSurfaceSubdivision::Inspect(vtkDataObject*, vtkDataObject* readable)
 {
   if (this->WritesBezierCells())
   {
-    this->FurtherLevels = subdivision::CountFurtherSteps(
-      this->SharesRanks() ? nullptr : readable, this->Scheme == CATMULL_CLARK);
+    this->Bezier->SetFurtherSteps(subdivision::CountFurtherSteps(
+      this->SharesRanks() ? nullptr : readable, this->Scheme == CATMULL_CLARK));
   }
 }
 
@@ -115,10 +116,12 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
   {
     return made;
   }
-  return subdivision::MakeBezierCells(made,
-    { this->NumberOfLevels, this->NumberOfLevels + this->FurtherLevels, this->BezierTolerance,
-      this->Use32BitIds, this->SharesRanks() ? this->Controller.Get() : nullptr,
-      [this](const std::string& text) { subdivision::Fail(this, text); } });
+  subdivision::BezierOptions options;
+  options.Tolerance = this->BezierTolerance;
+  options.Use32BitIds = this->Use32BitIds;
+  options.Controller = this->SharesRanks() ? this->Controller.Get() : nullptr;
+  options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
+  return this->Bezier->Finish(made, options);
 }
 
 int vtkSurfaceSubdivision::RequestData(
@@ -167,23 +170,29 @@ int vtkSurfaceSubdivision::RequestData(
   // Without rules for boundaries that angles decide, a level reads points of cells around only.
   const bool isLocal =
     !this->ModifiedBoundary && (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK);
-  const int result = this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
-    "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-      ". Use fewer levels, or a part of the input.",
-    [&](vtkPointSet* input, vtkPointSet* output)
-    {
-      options.Levels = this->Places ? 0
-        : writesBezierCells         ? this->NumberOfLevels + this->FurtherLevels
-                                    : this->NumberOfLevels;
-      if (this->Places && this->OutputPointsPrecision == DEFAULT_PRECISION)
+  const auto run = [&](double begin, double end)
+  {
+    options.Part = { begin, end };
+    return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
+      "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+        ". Use fewer levels, or a part of the input.",
+      [&](vtkPointSet* input, vtkPointSet* output)
       {
-        options.OutputPointsPrecision = DOUBLE_PRECISION;
-      }
-      auto* from = vtkPolyData::SafeDownCast(input);
-      auto* to = vtkPolyData::SafeDownCast(output);
-      return this->ReadArrays(input, options) && subdivision::SubdivideSurface(from, options, to) &&
-        (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
-    });
+        options.Levels = this->Places ? 0
+          : writesBezierCells         ? this->Bezier->GetSteps()
+                                      : this->NumberOfLevels;
+        if (this->Places && this->OutputPointsPrecision == DEFAULT_PRECISION)
+        {
+          options.OutputPointsPrecision = DOUBLE_PRECISION;
+        }
+        auto* from = vtkPolyData::SafeDownCast(input);
+        auto* to = vtkPolyData::SafeDownCast(output);
+        return this->ReadArrays(input, options) &&
+          subdivision::SubdivideSurface(from, options, to) &&
+          (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
+      });
+  };
+  const int result = writesBezierCells ? this->Bezier->Run(this->NumberOfLevels, run) : run(0., 1.);
   if (!this->Places)
   {
     this->Cache->ForgetUnused();

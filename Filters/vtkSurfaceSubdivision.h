@@ -162,6 +162,7 @@ class vtkIdTypeArray;
 
 namespace subdivision
 {
+class BezierRounds;
 class SurfaceCache;
 struct PlaceRequest;
 struct SurfaceOptions;
@@ -336,8 +337,8 @@ public:
    * VTK_BEZIER_CURVE of degree 3 and, for LOOP and LINEAR, VTK_BEZIER_TRIANGLE of degree 4, for
    * CATMULL_CLARK VTK_BEZIER_QUADRILATERAL of degree 3. See vtkMultiDimensionalSubdivision. A face
    * that is no quad is split by CATMULL_CLARK in any case. The limit is read off a mesh of 2 more
-   * levels, of 3 if CATMULL_CLARK has faces that are no quads. With other schemes a warning says
-   * that cells stay linear, in a vtkPolyData.
+   * levels, of 3 if CATMULL_CLARK has faces that are no quads, than those by which some cell has to
+   * be split. With other schemes a warning says that cells stay linear, in a vtkPolyData.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -489,8 +490,8 @@ private:
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
 
-  int FurtherLevels = 0; ///< that Bezier cells need
   std::unique_ptr<subdivision::SurfaceCache> Cache;
+  std::unique_ptr<subdivision::BezierRounds> Bezier;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;

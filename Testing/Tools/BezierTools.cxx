@@ -156,6 +156,31 @@ Grid MakeLattice(int n)
   return grid;
 }
 
+Grid MakeMixed(bool areFirst)
+{
+  std::vector<Point> points{ { 0., 0., 1. }, { 0., 0., -1. } };
+  std::vector<Cell> cells;
+  for (vtkIdType i = 0; i < 5; ++i)
+  {
+    const double angle = 2. * 3.14159265358979 * static_cast<double>(i) / 5.;
+    points.push_back({ std::cos(angle), std::sin(angle), 0. });
+    cells.push_back({ VTK_TETRA, { 0, 1, 2 + i, 2 + (i + 1) % 5 } });
+  }
+  points.insert(points.end(), { { 2., 0.3, 0.5 }, { 2., -0.3, -0.5 }, { 3., 0., 0.2 } });
+  const std::vector<Cell> faces{ { VTK_TRIANGLE, { 0, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
+    { VTK_LINE, { 0, 2 } }, { VTK_LINE, { 0, 1 } }, { VTK_LINE, { 5, 6 } },
+    { VTK_TRIANGLE, { 0, 2, 7 } }, { VTK_TRIANGLE, { 2, 8, 7 } }, { VTK_TRIANGLE, { 7, 8, 9 } },
+    { VTK_LINE, { 7, 8 } }, { VTK_LINE, { 8, 9 } }, { VTK_LINE, { 9, 3 } } };
+  cells.insert(areFirst ? cells.begin() : cells.end(), faces.begin(), faces.end());
+  if (areFirst)
+  {
+    std::reverse(cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(faces.size()));
+  }
+  Grid grid = MakeGrid(Shake(points, 0.1), cells);
+  AddScalar(grid);
+  return grid;
+}
+
 vtkSmartPointer<vtkPolyData> ToSurface(vtkUnstructuredGrid* grid)
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();

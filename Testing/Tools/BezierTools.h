@@ -41,6 +41,10 @@ Grid MakeSheet(int n, bool triangles, double shake);
 /// spline marks the edges by which the tetrahedra are regular.
 Grid MakeLattice(int n);
 
+/// Tetrahedra around an edge with some of their faces and edges, a sheet of triangles on one edge
+/// of theirs with lines on it, and a line alone. `areFirst`: faces come before what they bound.
+Grid MakeMixed(bool areFirst);
+
 vtkSmartPointer<vtkPolyData> ToSurface(vtkUnstructuredGrid* grid);
 
 /// A closed surface of 8 triangles, all vertices of which are extraordinary.

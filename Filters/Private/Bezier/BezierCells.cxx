@@ -10,15 +10,19 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace subdivision
 {
@@ -45,12 +49,34 @@ public:
     , Options(options)
     , Cells(mesh, options.Steps, options.Levels)
   {
+    this->CheckSteps();
+    this->ReadValues();
+  }
+  /// The largest degree that a root needs.
+  int FindDegree() const
+  {
+    int degree = 0;
+    for (const vtkIdType r : InTurn(this->Cells.GetNumberOfRoots()))
+    {
+      const Root& root = this->Cells.GetRoot(r);
+      degree = std::max(degree, root.Kind < 0 ? 0 : BezierRoots::GetShape(root).Degree);
+    }
+    return degree;
+  }
+  /// All patches get one degree.
+  void ChoosePatches(int degree);
+  /// Whether no cell was split as often as is allowed: then all of them are known to fit.
+  bool IsDone() const
+  {
+    return std::none_of(this->Patches.begin(), this->Patches.end(),
+      [this](const Patch& patch)
+      {
+        const Root& root = this->Cells.GetRoot(patch.Root);
+        return root.Kind >= 0 && patch.Level == root.Levels;
+      });
   }
   vtkSmartPointer<vtkUnstructuredGrid> Write()
   {
-    this->CheckSteps();
-    this->ReadValues();
-    this->ChoosePatches();
     this->NumberPoints();
     this->WriteCells();
     this->WriteValues();
@@ -60,7 +86,6 @@ public:
 private:
   void CheckSteps() const;
   void ReadValues();
-  void ChoosePatches();
   void Split(const Patch& patch, std::vector<Patch>& patches) const;
   bool Fits(const Patch& patch) const;
   void NumberPoints();
@@ -68,6 +93,10 @@ private:
   void WriteValues();
   void FitValues(vtkIdType p, std::vector<double>& values) const;
 
+  const PatchShape& GetShape(const Root& root) const
+  {
+    return PatchShape::Get(static_cast<PatchShape::Kind>(root.Kind), this->Degree);
+  }
   /// The points of the mesh that are the nodes of a patch, or the points of a cell that is written
   /// as it is.
   void GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const;
@@ -77,6 +106,7 @@ private:
   const BezierOptions& Options;
   const BezierRoots Cells;
   std::vector<vtkDataArray*> Arrays; ///< what is fitted, points first
+  int Degree = 0;
   int Components = 0;
   Buffer<double> Values;       ///< of each point, one array after the other
   std::vector<double> Allowed; ///< what each component may leave out
@@ -152,11 +182,12 @@ void BezierWriter::ReadValues()
 }
 
 /// Whether the polynomial of a patch is the limit at the points of one further step: what the
-/// tolerance says of points is a distance, of arrays a difference of each component.
+/// tolerance says of points is a distance, of arrays a difference of each component. What is not
+/// finite tells nothing.
 bool BezierWriter::Fits(const Patch& patch) const
 {
   const Root& root = this->Cells.GetRoot(patch.Root);
-  const PatchShape& shape = BezierRoots::GetShape(root);
+  const PatchShape& shape = this->GetShape(root);
   std::vector<vtkIdType> nodes;
   this->GetNodes(patch, nodes);
   std::vector<double> values(this->Components);
@@ -176,13 +207,13 @@ bool BezierWriter::Fits(const Patch& patch) const
     for (int c = 0; c < this->Components; ++c)
     {
       values[c] = std::abs(values[c] - this->Values[this->Components * point + c]);
-      if (values[c] > this->Allowed[c] &&
-        std::isfinite(values[c])) // missing values stay so in all cells
+      if (values[c] > this->Allowed[c] && std::isfinite(values[c]))
       {
         return false;
       }
     }
-    if (std::hypot(values[0], values[1], values[2]) > this->Allowed[0])
+    const double distance = std::hypot(values[0], values[1], values[2]);
+    if (distance > this->Allowed[0] && std::isfinite(distance))
     {
       return false;
     }
@@ -207,8 +238,9 @@ void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
   }
 }
 
-void BezierWriter::ChoosePatches()
+void BezierWriter::ChoosePatches(int degree)
 {
+  this->Degree = degree;
   const vtkIdType size = this->Cells.GetNumberOfRoots();
   std::vector<std::vector<Patch>> patches(static_cast<std::size_t>(size));
   ForRangesOfBlocks(size,
@@ -235,7 +267,7 @@ void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) c
     this->Cells.GetPoints(root, nodes);
     return;
   }
-  const PatchShape& shape = BezierRoots::GetShape(root);
+  const PatchShape& shape = this->GetShape(root);
   for (const LatticePoint& node : shape.Nodes)
   {
     nodes.push_back(this->Cells.GetPoint(root, patch.Part.At(node, shape.Divisions)));
@@ -243,7 +275,8 @@ void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) c
 }
 
 /// Corners are one point for all cells that have them. Other control points are one for cells of
-/// the same level, which have the same nodes on an edge or face that they share.
+/// the same level, which have the same nodes on an edge or face that they share: all have one
+/// degree.
 void BezierWriter::NumberPoints()
 {
   std::vector<std::vector<vtkIdType>> numbers;
@@ -340,7 +373,7 @@ void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
   {
     return;
   }
-  const PatchShape& shape = BezierRoots::GetShape(root);
+  const PatchShape& shape = this->GetShape(root);
   std::vector<vtkIdType> nodes;
   this->GetNodes(patch, nodes);
   for (std::size_t k = shape.Corners; k < nodes.size(); ++k)
@@ -420,26 +453,63 @@ void BezierWriter::WriteValues()
   }
 }
 
+/// The largest value of all ranks.
+int FindLargest(int value, vtkMultiProcessController* controller)
+{
+  int largest = value;
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->AllReduce(&value, &largest, 1, vtkCommunicator::MAX_OP);
+  }
+  return largest;
+}
+
 }
 
 vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options)
 {
   const ValueRanges ranges(data, options.Controller);
-  return ChangeMeshes(data,
-    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+  std::vector<std::unique_ptr<BezierWriter>> writers;
+  int degree = 0;
+  const auto change = [&](const auto& ofMesh)
+  {
+    return ChangeMeshes(data,
+      [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+      {
+        const bool isMesh =
+          vtkUnstructuredGrid::SafeDownCast(object) || vtkPolyData::SafeDownCast(object);
+        return isMesh ? ofMesh(vtkPointSet::SafeDownCast(object))
+                      : vtkSmartPointer<vtkDataObject>(object);
+      });
+  };
+  change(
+    [&](vtkPointSet* mesh) -> vtkSmartPointer<vtkDataObject>
     {
-      auto* mesh = vtkPointSet::SafeDownCast(object);
-      const bool isMesh =
-        vtkUnstructuredGrid::SafeDownCast(object) || vtkPolyData::SafeDownCast(object);
-      if (!isMesh)
-      {
-        return object;
-      }
-      auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-      if (mesh->GetPoints())
-      {
-        grid = BezierWriter(mesh, ranges, options).Write();
-      }
+      writers.push_back(
+        mesh->GetPoints() ? std::make_unique<BezierWriter>(mesh, ranges, options) : nullptr);
+      degree = std::max(degree, writers.back() ? writers.back()->FindDegree() : 0);
+      return mesh;
+    });
+  degree = FindLargest(degree, options.Controller);
+  bool isDone = true;
+  for (const auto& made : writers)
+  {
+    if (made)
+    {
+      made->ChoosePatches(degree);
+      isDone = isDone && made->IsDone();
+    }
+  }
+  if (options.MayGoOn && FindLargest(isDone ? 0 : 1, options.Controller) > 0)
+  {
+    return nullptr;
+  }
+  auto writer = writers.begin();
+  return change(
+    [&](vtkPointSet* mesh) -> vtkSmartPointer<vtkDataObject>
+    {
+      const auto grid = *writer ? (*writer)->Write() : vtkSmartPointer<vtkUnstructuredGrid>::New();
+      (writer++)->reset();
       vtkFieldData* fields = mesh->GetFieldData();
       for (int a = 0; a < fields->GetNumberOfArrays(); ++a)
       {
@@ -450,6 +520,33 @@ vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const Bezier
       }
       return grid;
     });
+}
+
+int BezierRounds::Run(int most, const std::function<int(double, double)>& run)
+{
+  double begin = 0.;
+  int result = 0;
+  this->Levels = std::min(1, most);
+  do
+  {
+    this->GoesOn = false; // an error ends all
+    this->MayGoOn = this->Levels < most;
+    const double end = this->MayGoOn ? 0.5 * (begin + 1.) : 1.;
+    result = run(begin, end);
+    begin = end;
+    ++this->Levels;
+  } while (this->GoesOn);
+  return result;
+}
+
+vtkSmartPointer<vtkDataObject> BezierRounds::Finish(vtkDataObject* made, BezierOptions options)
+{
+  options.Levels = this->Levels;
+  options.Steps = this->GetSteps();
+  options.MayGoOn = this->MayGoOn;
+  const auto cells = MakeBezierCells(made, options);
+  this->GoesOn = !cells;
+  return cells ? cells : vtkSmartPointer<vtkDataObject>(made);
 }
 
 }

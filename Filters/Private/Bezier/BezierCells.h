@@ -23,6 +23,9 @@ struct BezierOptions
   int Levels = 0;
   /// How many steps were made: Levels and those of CountFurtherSteps.
   int Steps = 0;
+  /// Whether cells may be split more often, by further steps: then nothing is written if there are
+  /// some of which this is not known yet.
+  bool MayGoOn = false;
   /// What Bezier cells may leave out, as a part of the diagonal of the mesh, and of an array's
   /// range.
   double Tolerance = 0.;
@@ -44,12 +47,35 @@ int CountFurtherSteps(vtkDataObject* input, bool toQuads);
  * tolerance at the points of one further step, so that the tolerance is kept between these too;
  * else its children do, down to `Levels`.
  *
- * Control points that equal cells share, by the points of the mesh, are one point. Arrays of
+ * All cells have one degree, the largest that one of them needs. Control points that equal cells
+ * share, by the points of the mesh, are one point. Arrays of
  * floating point numbers get control values, all others the values of the point that the control
  * point belongs to. Cells of other types stay. Field data are shared, but for a stamp. All ranks
- * call this together.
+ * call this together. Returns null if steps are too few (MayGoOn).
  */
 vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options);
+
+/// The runs of a filter that make Bezier cells: with as many steps as some cell needs, and no more.
+class BezierRounds
+{
+public:
+  /// Says how many steps beyond levels an input needs (CountFurtherSteps).
+  void SetFurtherSteps(int further) { this->FurtherSteps = further; }
+  int GetSteps() const { return this->Levels + this->FurtherSteps; }
+  /// Calls run(begin, end), which ends with Finish, for one level and, while cells have to be split
+  /// that were not looked at, for the next, up to `most`. `begin` and `end` are where progress
+  /// goes. Returns what the last call returns.
+  int Run(int most, const std::function<int(double, double)>& run);
+  /// Makes Bezier cells by `options`, of which levels and steps are set here; or does nothing, if
+  /// another run follows.
+  vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made, BezierOptions options);
+
+private:
+  int FurtherSteps = 0;
+  int Levels = 0;
+  bool MayGoOn = false;
+  bool GoesOn = false;
+};
 
 }
 

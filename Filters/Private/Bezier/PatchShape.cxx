@@ -84,6 +84,7 @@ public:
   {
     this->Shape.Dimension = dimension;
     this->Shape.Corners = corners;
+    this->Shape.Degree = degree;
     this->Shape.CellType = type;
     this->Shape.SampleLevels = levels;
     this->Shape.Divisions = 1 << levels;
@@ -357,6 +358,17 @@ const PatchShape& PatchShape::Get(Kind kind)
     ShapeMaker(3, 4, 5, 3, VTK_BEZIER_TETRAHEDRON).Make(),
   } };
   return shapes[kind];
+}
+
+const PatchShape& PatchShape::Get(Kind kind, int degree)
+{
+  static const std::array<PatchShape, 3> raised{ {
+    ShapeMaker(1, 2, 4, 2, VTK_BEZIER_CURVE).Make(),
+    ShapeMaker(1, 2, 5, 3, VTK_BEZIER_CURVE).Make(),
+    ShapeMaker(2, 3, 5, 3, VTK_BEZIER_TRIANGLE).Make(),
+  } };
+  const PatchShape& least = Get(kind);
+  return degree <= least.Degree ? least : raised[kind == Triangle ? 2 : degree - 4];
 }
 
 }

@@ -8,7 +8,8 @@
  * 3 by 3 over a quad (Catmull-Clark), 5 over a tetrahedron (box spline). A mesh that was made by
  * further steps has points of the limit where the edges of a cell are divided in 4 or 8. As many
  * of these as the polynomial has control points, its *nodes*, give it: those on an edge or face
- * the control points there, so that cells that share an edge have the same curve on it.
+ * the control points there, so that cells that share an edge have the same curve on it. So
+ * where a mesh has cells of a higher degree, all others are raised to that.
  */
 #ifndef SubdivisionObjects_PatchShape_h
 #define SubdivisionObjects_PatchShape_h
@@ -48,6 +49,7 @@ struct PatchShape
 
   int Dimension;
   int Corners;
+  int Degree;
   int CellType;     ///< of VTK
   int SampleLevels; ///< nodes need the points of so many further steps
   int Divisions;    ///< the parts of an edge then
@@ -64,7 +66,10 @@ struct PatchShape
   std::vector<LatticePoint> CornerPoints;
   std::vector<LatticePart> Children;
 
+  /// Of the least degree that is exact where all is regular.
   static const PatchShape& Get(Kind kind);
+  /// Of that degree, if it is larger: 4 or 5 for curves, 5 for triangles.
+  static const PatchShape& Get(Kind kind, int degree);
 };
 
 }

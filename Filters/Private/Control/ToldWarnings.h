@@ -30,6 +30,12 @@ public:
     this->Options = options;
     this->Time = time;
   }
+  /// Goes on with an execution: what it has told stays told.
+  void GoOn()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Earlier.insert(this->Now.begin(), this->Now.end());
+  }
   /// Whether no earlier execution told a warning: the same text, with any numbers.
   bool IsNew(std::string warning)
   {

@@ -401,6 +401,16 @@ const std::map<std::string, Case>& GetCases()
           filter->DetectFeaturesOn();
         }) },
     { "scheme-out-of-range", With([](Filter* filter) { filter->SetVolumeScheme(77); }) },
+    { "bezier-faces",
+      [](Trial& trial)
+      {
+        Add({ { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_LINE, { 0, 1 } } })(trial);
+        trial.Set = [](Filter* filter)
+        {
+          filter->SetOutputCellsToBezier();
+          filter->SetBezierTolerance(1.);
+        };
+      } },
     { "crease-sharpness-short",
       With(
         [](Filter* filter)

@@ -308,3 +308,96 @@ TEST(BezierOutput, IdsOf32BitsAndSinglePrecision)
     EXPECT_NEAR(GetPoint(wide, i)[0], GetPoint(narrow, i)[0], 1e-5);
   }
 }
+
+/// Control points belong to a degree, and all cells of a mesh have the same one.
+TEST(BezierOutput, FacesHaveTheControlPointsOfWhatTheyBound)
+{
+  for (const bool areFirst : { false, true })
+  {
+    const Grid bezier =
+      MakeBezier(MakeMixed(areFirst), 1, [](Filter* filter) { filter->SetBezierTolerance(1.); });
+    std::map<int, std::set<vtkIdType>> sizes;
+    std::vector<std::set<vtkIdType>> cells;
+    for (vtkIdType c = 0; c < bezier->GetNumberOfCells(); ++c)
+    {
+      const Ids ids = GetCell(bezier, c);
+      cells.emplace_back(ids.begin(), ids.end());
+      sizes[bezier->GetCellType(c)].insert(bezier->GetCells()->GetCellSize(c));
+    }
+    ASSERT_EQ(bezier->GetNumberOfCells(), 16);
+    EXPECT_EQ(sizes[VTK_BEZIER_CURVE], std::set<vtkIdType>{ 6 });
+    EXPECT_EQ(sizes[VTK_BEZIER_TRIANGLE], std::set<vtkIdType>{ 21 });
+    EXPECT_EQ(sizes[VTK_BEZIER_TETRAHEDRON], std::set<vtkIdType>{ 56 });
+    for (vtkIdType a = 0; a < bezier->GetNumberOfCells(); ++a)
+    {
+      for (vtkIdType b = 0; b < bezier->GetNumberOfCells(); ++b)
+      {
+        std::vector<vtkIdType> common;
+        std::set_intersection(cells[a].begin(), cells[a].end(), cells[b].begin(), cells[b].end(),
+          std::back_inserter(common));
+        const std::size_t size = common.size(); // a corner, an edge, a face, or all
+        EXPECT_TRUE(size < 2 || size == 6 || size == 21 || size == cells[a].size())
+          << a << " " << b << " " << size;
+      }
+    }
+  }
+  const auto surface = ToSurface(MakeSheet(3, true, 0.2));
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 5, 6 });
+  surface->SetLines(lines);
+  const Grid bezier = MakeBezierSurface(surface, vtkSurfaceSubdivision::LOOP, 0);
+  EXPECT_EQ(bezier->GetCellType(0), VTK_BEZIER_CURVE);
+  EXPECT_EQ(bezier->GetCells()->GetCellSize(0), 5);
+}
+
+TEST(BezierOutput, LevelsThatSplitNothingCostNothing)
+{
+  for (const bool areSolids : { false, true })
+  {
+    const Grid input = areSolids ? MakeLattice(1) : MakeSheet(4, true, 0.1);
+    const auto make = [&](int levels)
+    {
+      return MakeBezier(input, levels,
+        [&](Filter* filter)
+        {
+          filter->SetBezierTolerance(0.1);
+          filter->SetMaximumNumberOfCells(input->GetNumberOfCells() << (areSolids ? 12 : 6));
+        });
+    };
+    const Grid one = make(1);
+    EXPECT_EQ(one->GetNumberOfCells(), input->GetNumberOfCells());
+    EXPECT_EQ(Compare(one, make(12)), "");
+  }
+}
+
+TEST(BezierOutput, WarningsOfAllRoundsAreToldOnce)
+{
+  const Grid input = MakeGrid(Shake(std::vector<Point>(6), 1.),
+    { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4 } }, { VTK_TRIANGLE, { 0, 1, 2 } },
+      { VTK_TRIANGLE, { 0, 2, 3 } }, { VTK_TRIANGLE, { 0, 3, 4 } }, { VTK_TRIANGLE, { 0, 4, 5 } },
+      { VTK_TRIANGLE, { 0, 5, 1 } } });
+  vtkNew<Filter> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(input);
+  filter->SetNumberOfLevels(4);
+  filter->SetBezierTolerance(0.);
+  filter->SetOutputCellsToBezier();
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 5 * 16);
+  EXPECT_EQ(messages->Warnings.size(), 1u);
+  EXPECT_EQ(messages->CountWarnings("Passed over 1 cell"), 1);
+}
+
+TEST(BezierOutput, ValuesThatAreNotFiniteSplitNothing)
+{
+  const Grid input = MakeSheet(6, true, 0.2);
+  const Grid without = MakeBezier(input, 3);
+  for (const double value : { std::nan(""), HUGE_VAL })
+  {
+    const auto missing = MakeArray<vtkDoubleArray>("Missing", 1, 49, 1., 1., 1);
+    missing->SetValue(24, value);
+    input->GetPointData()->AddArray(missing);
+    EXPECT_EQ(GetCells(MakeBezier(input, 3)), GetCells(without)) << value;
+  }
+}

@@ -71,6 +71,7 @@ public:
   }
   const std::vector<Part>& Find()
   {
+    this->FindCorners();
     for (vtkIdType c = 0; c < this->Input->GetNumberOfCells(); ++c)
     {
       LatticePart whole;
@@ -86,6 +87,26 @@ public:
   }
 
 private:
+  /// The limits of the corners of all cells, at once.
+  void FindCorners()
+  {
+    Places places;
+    std::vector<std::pair<vtkIdType, LatticePoint>> keys;
+    for (vtkIdType c = 0; c < this->Input->GetNumberOfCells(); ++c)
+    {
+      for (LatticePoint at : GetShape(this->Input->GetCellType(c)).CornerPoints)
+      {
+        places.Add(c, { at[0] / 2., at[1] / 2., at[2] / 2. });
+        std::transform(at.begin(), at.end(), at.begin(), [](int x) { return x * Divisions / 2; });
+        keys.emplace_back(c, at);
+      }
+    }
+    const auto limits = this->Evaluate(places);
+    for (std::size_t i = 0; i < keys.size(); ++i)
+    {
+      this->Limits[keys[i]] = GetPoint(limits, static_cast<vtkIdType>(i));
+    }
+  }
   void Take(const Part& part)
   {
     if (this->IsNext(part))
@@ -143,11 +164,12 @@ private:
   std::map<std::pair<vtkIdType, LatticePoint>, Point> Limits;
 };
 
-/// Places everywhere in a cell: not those where the filter looks.
-std::vector<Point> MakePlacesInside(const PatchShape& shape)
+/// Places everywhere in a cell: not those where the filter looks. `areFew`: for limits that take
+/// long.
+std::vector<Point> MakePlacesInside(const PatchShape& shape, bool areFew)
 {
   std::vector<Point> places;
-  const int steps = shape.Dimension == 3 ? 7 : 11;
+  const int steps = areFew ? 5 : shape.Dimension == 3 ? 7 : 11;
   for (int k = 0; k <= (shape.Dimension > 2 ? steps : 0); ++k)
   {
     for (int j = 0; j <= (shape.Dimension > 1 ? steps : 0); ++j)
@@ -197,13 +219,15 @@ Grid MakeTets()
   return grid;
 }
 
-/// The weights of control points at places of Bezier cells, which are those of all cells of a type.
+/// The weights of control points at places of Bezier cells, which are those of all cells of a type
+/// and degree.
 class Weights
 {
 public:
   const std::vector<double>& Get(vtkUnstructuredGrid* bezier, vtkIdType c, const Point& at)
   {
-    std::vector<double>& weights = this->Known[{ bezier->GetCellType(c), at }];
+    const vtkIdType size = bezier->GetCells()->GetCellSize(c);
+    std::vector<double>& weights = this->Known[{ { bezier->GetCellType(c), size }, at }];
     if (weights.empty())
     {
       vtkCell* cell = bezier->GetCell(c);
@@ -214,7 +238,7 @@ public:
   }
 
 private:
-  std::map<std::pair<int, Point>, std::vector<double>> Known;
+  std::map<std::pair<std::array<vtkIdType, 2>, Point>, std::vector<double>> Known;
 };
 
 /// What was compared, and the largest errors as parts of what the tolerance allows.
@@ -240,7 +264,7 @@ struct Found
 /// Compares the Bezier cells that were not split as often as is allowed with the limit. `size`: the
 /// limit as a mesh, of which the tolerance is a part.
 void Compare(vtkDataSet* input, vtkUnstructuredGrid* bezier, int levels, double tolerance,
-  vtkDataSet* size, const Evaluator& evaluate, Found& found)
+  vtkDataSet* size, const Evaluator& evaluate, Found& found, bool areFew = false)
 {
   Places places;
   std::vector<std::pair<vtkIdType, Point>> inBezier;
@@ -253,7 +277,7 @@ void Compare(vtkDataSet* input, vtkUnstructuredGrid* bezier, int levels, double 
       continue;
     }
     found.Parts += parts[c].Level > 0 ? 1 : 0;
-    for (const Point& at : MakePlacesInside(GetShape(input->GetCellType(parts[c].Cell))))
+    for (const Point& at : MakePlacesInside(GetShape(input->GetCellType(parts[c].Cell)), areFew))
     {
       inBezier.emplace_back(c, at);
       places.Add(parts[c].Cell, FindPlace(parts[c].Of, at));
@@ -290,7 +314,8 @@ void Compare(vtkDataSet* input, vtkUnstructuredGrid* bezier, int levels, double 
 }
 
 /// By the main filter. From level 0 on the order of corners in solids is that of the box spline.
-void CheckGrid(vtkUnstructuredGrid* mesh, int levels, double tolerance, Found& found)
+void CheckGrid(
+  vtkUnstructuredGrid* mesh, int levels, double tolerance, Found& found, bool areFew = false)
 {
   vtkNew<Filter> filter;
   filter->SetNumberOfLevels(0);
@@ -302,12 +327,11 @@ void CheckGrid(vtkUnstructuredGrid* mesh, int levels, double tolerance, Found& f
   const Grid limit = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input);
   Compare(
     input, bezier, levels, tolerance, limit,
-    [&](const Places& places) { return Evaluate(filter, places); }, found);
+    [&](const Places& places) { return Evaluate(filter, places); }, found, areFew);
 }
 
-void CheckSurface(vtkUnstructuredGrid* mesh, int scheme, int levels, double tolerance, Found& found)
+void CheckSurface(vtkPolyData* input, int scheme, int levels, double tolerance, Found& found)
 {
-  const auto input = ToSurface(mesh);
   const Grid bezier = MakeBezierSurface(input, scheme, levels, tolerance);
   vtkNew<vtkSurfaceSubdivision> filter;
   filter->SetInputData(input);
@@ -320,6 +344,11 @@ void CheckSurface(vtkUnstructuredGrid* mesh, int scheme, int levels, double tole
   Compare(
     input, bezier, levels, tolerance, limit,
     [&](const Places& places) { return Evaluate(filter, places); }, found);
+}
+
+void CheckSurface(vtkUnstructuredGrid* mesh, int scheme, int levels, double tolerance, Found& found)
+{
+  CheckSurface(ToSurface(mesh), scheme, levels, tolerance, found);
 }
 
 constexpr double Tolerances[3] = { 1e-2, 1e-3, 1e-4 };
@@ -367,6 +396,40 @@ TEST(BezierTolerance, IsKeptBySolids)
     CheckGrid(MakeTets(), 2, tolerance, found);
   }
   found.Expect(20);
+}
+
+/// Lines are faces of triangles and tetrahedra, and triangles of tetrahedra, in both orders.
+TEST(BezierTolerance, IsKeptByFacesOfOtherCells)
+{
+  Found found;
+  CheckGrid(MakeMixed(false), 1, 2.2e-2, found, true);
+  CheckGrid(MakeMixed(true), 1, 2.2e-2, found, true);
+  found.Expect(0);
+}
+
+TEST(BezierTolerance, IsKeptByLinesOfSurfaces)
+{
+  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK })
+  {
+    Found found;
+    for (const double tolerance : Tolerances)
+    {
+      for (const int n : { 4, 5, 8 })
+      {
+        const bool isLoop = scheme == vtkSurfaceSubdivision::LOOP;
+        const auto surface = ToSurface(isLoop ? MakeBipyramid(n) : MakeTrapezohedron(n));
+        vtkNew<vtkCellArray> lines;
+        for (const vtkIdType first : { 2, 3, 4 })
+        {
+          lines->InsertNextCell({ first, first + 1 });
+        }
+        lines->InsertNextCell({ 0, 2 });
+        surface->SetLines(lines);
+        CheckSurface(surface, scheme, 5, tolerance, found);
+      }
+    }
+    found.Expect(1000);
+  }
 }
 
 namespace
