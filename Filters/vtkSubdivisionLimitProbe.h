@@ -34,15 +34,18 @@
  *    vtkSurfaceSubdivision.
  *
  * @par Method
- * Two levels on the limit tell where to begin: in the cell with the nearest part of these levels,
- * and on surfaces in cells beside it that are nearly as near, because at creases and corners each
- * may have a nearest place of its own. Newton's method then makes the distance smaller, up to
- * rounding, also across the borders of cells; by CATMULL_CLARK it searches in quads. Where two
- * parts of the object that do not touch are almost equally near, the farther one may be found:
- * those two levels, and not the limit, choose between them. From far away from a solid about one
- * point in a hundred ends at a place to which only nothing around it is nearer. Steps to a face of
- * a solid stop before it first; a search that ends beside a point, but not at it, begins again
- * farther inside.
+ * For a point that lies in a solid a fine level on the limit tells where to begin. For all others
+ * curves, surfaces and the boundaries of solids are searched as a whole: the limit over parts of
+ * cells as polynomials, parts of which are left out only where they are certainly not nearer than
+ * a place that is known. Newton's method then makes the distance smaller, up to rounding, also
+ * across the borders of cells; by CATMULL_CLARK it searches in quads. No place of the limit is
+ * nearer by more than 1e-9 of the size of the mesh. Of equally near ones that in the first cell is
+ * found. Where the boundary of a solid passes through the solid itself, a place of the boundary
+ * may be found that lies inside.
+ *
+ * @par Points that are not finite
+ * They have no place: their results are not a number, 0 in arrays of integers, `CellId` is -1, and
+ * a warning counts them. Distances of points that are very far away do not overflow.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkProbeFilter

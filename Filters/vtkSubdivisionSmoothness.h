@@ -41,15 +41,15 @@
  *
  * @par Sampling
  * Surfaces: a regular mesh around one vertex with as many faces stands for the real one, and the
- * map is looked at by all faces of two further levels (SQRT_THREE and FOUR_EIGHT: two steps)
- * between the first ring and its image by a step: faces keep their orientation (regular), and the
- * first ring goes around once (injective), or less than once at a curve. In DOO_SABIN and MIDEDGE
- * the face that is examined lies in the middle, and the ring is that of the vertices an edge away
- * from its corners; a step (MIDEDGE: two) takes it to the corners. Solids: by all tetrahedra of the
- * next level between the ones that touch the vertex and three times as far: they have one
- * orientation (regular), and those at the vertex go around it once (injective). Points between are
- * not looked at. Nothing is sampled where a condition fails, at joints, and at vertices with
- * octahedra.
+ * map, with SampleMaps, is looked at by all faces of two further levels (SQRT_THREE and FOUR_EIGHT:
+ * two steps) between the first ring and its image by a step: faces keep their orientation
+ * (regular), and the first ring goes around once (injective), or less than once at a curve. In
+ * DOO_SABIN and MIDEDGE the face that is examined lies in the middle, and the ring is that of the
+ * vertices an edge away from its corners; a step (MIDEDGE: two) takes it to the corners. Solids: by
+ * all tetrahedra of the next level between the ones that touch the vertex and three times as far:
+ * they have one orientation (regular), and those at the vertex go around it once (injective).
+ * Points between are not looked at. Nothing is sampled where a condition fails, at joints, and at
+ * vertices with octahedra.
  *
  * @par Inputs
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -97,7 +97,8 @@
  *
  * @par Complexity
  * Equal matrices and equal stars are solved once; but inside solids nearly every vertex is one of
- * its kind, and then takes some milliseconds, most of them for its characteristic map (SampleMaps).
+ * its kind. Its eigenvalues take some tenths of a millisecond, and its characteristic map, which is
+ * sampled only with SampleMaps, some milliseconds.
  * Time grows with the third power of a vertex's number of neighbours.
  * So vertices of 600 and more neighbours are not examined, maps are sampled where up to 200
  * tetrahedra touch a vertex, edges have up to 100 tetrahedra, and stars of surfaces up to 99
@@ -190,7 +191,7 @@ public:
   ///@{
   /**
    * Whether characteristic maps are sampled. If off, `Regular` and `Injective` are -1, and large
-   * solids take a small part of the time. On by default.
+   * solids take a small part of the time. Off by default.
    */
   vtkSetMacro(SampleMaps, bool);
   vtkGetMacro(SampleMaps, bool);
@@ -236,7 +237,7 @@ protected:
   int Scheme = BOX_SPLINE;
   bool ModifiedBoundary = true;
   bool ModifiedBoundaryOfSolids = false;
-  bool SampleMaps = true;
+  bool SampleMaps = false;
   bool FailingOnly = false;
   vtkIdType MapOfCell = -1;
   int MapLevels = 2;

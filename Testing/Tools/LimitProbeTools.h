@@ -70,7 +70,7 @@ vtkSmartPointer<vtkPolyData> Probe(
       distance += (p[c] - targets[i][c]) * (p[c] - targets[i][c]);
     }
     EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0),
-      std::sqrt(distance), 1e-12 * mesh->GetLength());
+      std::sqrt(distance), 1e-12 * mesh->GetLength() + 1e-15 * std::sqrt(distance));
   }
   return found;
 }

@@ -34,12 +34,14 @@ struct PlaceParts
 /// other.
 enum class PlaceDerivatives
 {
+  None,
   First,
   Second
 };
 constexpr bool IsWanted(int part, PlaceDerivatives derivatives)
 {
-  return part < PlaceParts::Second || derivatives == PlaceDerivatives::Second;
+  return part == PlaceParts::Value ||
+    derivatives >= (part < PlaceParts::Second ? PlaceDerivatives::First : PlaceDerivatives::Second);
 }
 
 /// Of each of PlaceParts, where its first number stands. Null: it is not wanted.

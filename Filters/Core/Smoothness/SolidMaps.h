@@ -27,6 +27,11 @@ struct SolidStar
   std::vector<std::array<int, 4>> Tets;
 };
 
+/// The star of a vertex with other numbers and another order of tetrahedra: those that all stars
+/// get which are the same but for that. `marks`: whether the order of the vertices of a tetrahedron
+/// matters, which then marks its edges 02 and 13. Stars that do not close around the vertex stay.
+SolidStar OrderStar(const SolidStar& star, bool marks);
+
 /**
  * Of an edge the vertex in its middle after one step is examined, of a face one of the three inside
  * it after two, of a tetrahedron that in its middle. Sets eigenvalues and condition, and, where the

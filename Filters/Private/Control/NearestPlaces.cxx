@@ -3,9 +3,11 @@
 
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/UnevenRanges.h"
-#include "Private/Control/NearestStarts.h"
+#include "Private/Control/LimitPatches.h"
 #include "Private/Control/PlaceOutput.h"
 #include "Private/Control/PlaceSearch.h"
+#include "Private/Control/RunOptions.h"
+#include "Private/Control/SolidPieces.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -17,6 +19,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <numeric>
 
 namespace subdivision
 {
@@ -28,6 +32,8 @@ using Vector = std::array<double, 3>;
 constexpr int MostSteps = 40;                ///< of a search in one cell
 constexpr int MostRounds = 30;               ///< from cell to cell
 constexpr std::size_t PointsAtATime = 16384; ///< bounds the memory of searches
+constexpr double FoundInside = 1e-10;        ///< of the size: a distance that is rounding
+constexpr double Beside = 1e-4; ///< of the size: where boundaries do not tell what lies inside
 
 class Finder
 {
@@ -37,6 +43,7 @@ public:
     : Cells(cells)
     , Points(points)
     , Evaluate(evaluate)
+    , Values(points.size())
     , Starts(cells.GetNumberOfCells() + 1)
   {
     vtkIdType start = 0;
@@ -54,65 +61,106 @@ public:
       [&](vtkIdType i) { return owners[i]; });
   }
 
-  std::vector<NearestPlace> Find(const NearestStarts& starts)
+  std::vector<NearestPlace> Find(const SolidPieces* solids)
   {
-    std::vector<NearestPlace> best(this->Points.size());
-    for (std::size_t begin = 0; begin < best.size(); begin += PointsAtATime)
+    this->Best.resize(this->Points.size());
+    LimitPatches patches(this->Cells, this->Evaluate);
+    for (std::size_t begin = 0; begin < this->Best.size(); begin += PointsAtATime)
     {
-      std::vector<PlaceSearch> searches =
-        this->Start(starts, begin, std::min(best.size(), begin + PointsAtATime));
-      for (const PlaceSearch& search : searches)
+      const std::size_t end = std::min(this->Best.size(), begin + PointsAtATime);
+      std::vector<std::size_t> left(end - begin);
+      std::iota(left.begin(), left.end(), begin);
+      if (solids) // a point inside of a solid is its own place
       {
-        NearestPlace& place = best[search.Point];
-        place.Cell = place.Cell < 0 ? search.Place.Cell : place.Cell;
-        place.Distance = std::numeric_limits<double>::infinity();
+        this->Improve(this->StartInSolids(*solids, left, patches.GetSize(), false));
+        left.erase(std::remove_if(left.begin(), left.end(), [&](std::size_t i)
+                     { return this->Best[i].Distance <= FoundInside * patches.GetSize(); }),
+          left.end());
       }
-      for (int round = 0; round < MostRounds && !searches.empty(); ++round)
+      std::vector<Vector> points;
+      for (const std::size_t i : left)
       {
-        this->Run(searches);
-        std::vector<PlaceSearch> next;
-        for (const PlaceSearch& search : searches)
+        points.push_back(this->Points[i]);
+      }
+      const std::vector<std::vector<NearestPlace>> found = patches.Find(points);
+      std::vector<PlaceSearch> searches;
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        for (const NearestPlace& place : found[i])
         {
-          NearestPlace& place = best[search.Point];
-          const double before = place.Distance;
-          if (search.Place.Distance < before)
-          {
-            place = search.Place;
-            this->AddBeside(search, next);
-            if (place.Distance < 0.5 * before)
-            {
-              this->AddInside(search, next);
-            }
-          }
+          this->Points[left[i]] = patches.Approach(points[i]);
+          searches.push_back({ left[i], place });
         }
-        searches = std::move(next);
+      }
+      this->Improve(std::move(searches));
+      if (solids)
+      {
+        this->Improve(this->StartInSolids(*solids, left, patches.GetSize(), true));
+      }
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        this->Best[left[i]].Distance = Measure(this->Values[left[i]], points[i]);
       }
     }
-    return best;
+    return std::move(this->Best);
   }
 
 private:
-  /// The searches for some of the points.
-  std::vector<PlaceSearch> Start(
-    const NearestStarts& starts, std::size_t begin, std::size_t end) const
+  static double Measure(const Vector& a, const Vector& b)
   {
-    std::vector<std::vector<NearestPlace>> found(end - begin);
-    // For a point far away many triangles may be equally near.
-    ForUnevenRanges(static_cast<vtkIdType>(found.size()),
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+
+  /// Makes the distances of places smaller, from cell to cell.
+  void Improve(std::vector<PlaceSearch>&& searches)
+  {
+    for (int round = 0; round < MostRounds && !searches.empty(); ++round)
+    {
+      this->Run(searches);
+      std::vector<PlaceSearch> next;
+      for (const PlaceSearch& search : searches)
+      {
+        NearestPlace& place = this->Best[search.Point];
+        const double before = place.Distance;
+        if (place.Cell < 0 || search.Place.Distance < before)
+        {
+          place = search.Place;
+          this->Values[search.Point] = search.AtBest[PlaceParts::Value];
+          this->AddBeside(search, next);
+          if (place.Distance < 0.5 * before)
+          {
+            this->AddInside(search, next);
+          }
+        }
+      }
+      searches = std::move(next);
+    }
+  }
+
+  /// Of some points those that lie in flat pieces of solids; with `isBeside` those of which a place
+  /// on the boundary is so near that they may lie inside nevertheless.
+  std::vector<PlaceSearch> StartInSolids(const SolidPieces& solids,
+    const std::vector<std::size_t>& points, double size, bool isBeside) const
+  {
+    std::vector<NearestPlace> found(points.size());
+    ForUnevenRanges(static_cast<vtkIdType>(points.size()),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
-          starts.Find(
-            this->Points[begin + static_cast<std::size_t>(i)], found[static_cast<std::size_t>(i)]);
+          const double distance = this->Best[points[i]].Distance;
+          if (!isBeside || (distance > FoundInside * size && distance < Beside * size))
+          {
+            solids.Find(this->Points[points[i]], isBeside, found[i]);
+          }
         }
       });
     std::vector<PlaceSearch> searches;
     for (std::size_t i = 0; i < found.size(); ++i)
     {
-      for (const NearestPlace& place : found[i])
+      if (found[i].Cell >= 0)
       {
-        searches.push_back({ begin + i, place });
+        searches.push_back({ points[i], found[i] });
       }
     }
     return searches;
@@ -141,7 +189,7 @@ private:
       {
         return;
       }
-      const PlaceValues values = this->Evaluate(places);
+      const PlaceValues values = this->Evaluate(places, false);
       ForEach(static_cast<vtkIdType>(active.size()),
         [&](vtkIdType i)
         {
@@ -178,8 +226,19 @@ private:
     place.Weights[1] += corner >= 2 ? weight : 0.;
   }
 
+  /// How large a cell is, as far as slopes at a place tell.
+  static double MeasureCell(const PlaceSearch& search)
+  {
+    double size = 0.;
+    for (int k = 0; k < 3; ++k)
+    {
+      size = std::max(size, Measure(search.AtBest[PlaceParts::First + k], Vector{}));
+    }
+    return size;
+  }
+
   /// Adds searches in other cells that have all corners with a weight. The nearest place may lie in
-  /// a cell that was left before, along the same edge.
+  /// a cell that was left before, along the same edge, or in a solid on whose boundary this one is.
   void AddBeside(const PlaceSearch& search, std::vector<PlaceSearch>& searches) const
   {
     const std::array<double, 4> weights = this->WeightCorners(search.Place);
@@ -187,7 +246,9 @@ private:
     const int size = this->Cells.CountCorners(search.Place.Cell);
     const auto first =
       std::find_if(weights.begin(), weights.begin() + size, [](double w) { return w > 0.; });
-    if (std::count(weights.begin(), weights.begin() + size, 0.) == 0)
+    const bool isSolid = this->Cells.Dimensions[search.Place.Cell] == 3;
+    const bool mayBeInside = isSolid || search.Place.Distance < 0.5 * MeasureCell(search);
+    if (std::count(weights.begin(), weights.begin() + size, 0.) == 0 && (isSolid || !mayBeInside))
     {
       return;
     }
@@ -196,7 +257,7 @@ private:
       const vtkIdType* begin = this->GetCorners(other);
       const vtkIdType* end = begin + this->Cells.CountCorners(other);
       PlaceSearch next{ search.Point, { other, {}, 0. } };
-      bool has = other != search.Place.Cell;
+      bool has = other != search.Place.Cell && (mayBeInside || this->Cells.Dimensions[other] < 3);
       for (int i = 0; i < size && has; ++i)
       {
         const vtkIdType* found = std::find(begin, end, corners[i]);
@@ -225,12 +286,7 @@ private:
     }
     constexpr double near = 1e-4;
     constexpr double rounding = 1e-13;
-    double size = 0.; // of the cell
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector& slope = search.AtBest[PlaceParts::First + k];
-      size = std::max(size, std::hypot(slope[0], slope[1], slope[2]));
-    }
+    const double size = MeasureCell(search);
     if (search.Place.Distance > near * size || search.Place.Distance <= rounding * size)
     {
       return;
@@ -245,9 +301,11 @@ private:
   }
 
   const SearchedCells& Cells;
-  const std::vector<Vector>& Points;
+  std::vector<Vector> Points;
   const EvaluatePlaces& Evaluate;
-  Buffer<vtkIdType> Starts; ///< of the corners of each cell
+  std::vector<NearestPlace> Best;
+  std::vector<Vector> Values; ///< the limits there
+  Buffer<vtkIdType> Starts;   ///< of the corners of each cell
   Rows<vtkIdType> AtVertices;
 };
 
@@ -256,20 +314,28 @@ private:
 std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataSet* fine,
   int levels, const std::vector<Vector>& points, const EvaluatePlaces& evaluate)
 {
-  return Finder(cells, points, evaluate).Find(NearestStarts(cells, fine, levels));
+  std::unique_ptr<SolidPieces> solids;
+  if (fine)
+  {
+    solids = std::make_unique<SolidPieces>(cells, fine, levels);
+  }
+  return Finder(cells, points, evaluate).Find(solids.get());
 }
 
-std::string CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells)
+bool CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells,
+  const RunOptions& options, std::vector<vtkIdType>& missing)
 {
+  if (!hasCells && !places.empty())
+  {
+    options.Fail("Places have no nearest place: the mesh has no cells.");
+    return false;
+  }
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    if (places[i].Cell < 0)
-    {
-      return "Point " + std::to_string(i) +
-        " has no nearest place: " + (hasCells ? "it is not finite." : "the mesh has no cells.");
-    }
+    places[i].Cell < 0 ? missing.push_back(static_cast<vtkIdType>(i)) : void();
   }
-  return std::string();
+  WarnOfMissingPlaces(missing, "coordinates", options);
+  return true;
 }
 
 void AddNearestArrays(const std::vector<NearestPlace>& places,

@@ -3,9 +3,10 @@
  * @file NearestPlaces.h
  * The places of a limit that are nearest to given points.
  *
- * A fine level on the limit tells where to begin. From there the squared distance is made smaller
- * by steps of Newton's method, which stop at the border of a cell. Where a search ends there, it
- * goes on in the other cells at that place of the border.
+ * For a point inside of a solid a fine level on the limit tells where to begin; for all others
+ * patches of curves and surfaces do, among them the boundaries of solids (LimitPatches.h). From
+ * there the squared distance is made smaller by steps of Newton's method, which stop at the border
+ * of a cell. Where a search ends there, it goes on in the other cells at that place of the border.
  */
 #ifndef SubdivisionObjects_NearestPlaces_h
 #define SubdivisionObjects_NearestPlaces_h
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@ class vtkPolyData;
 
 namespace subdivision
 {
+
+struct RunOptions;
 
 /// Where places are searched: a view of simplices, or of quads in place of triangles.
 struct SearchedCells
@@ -47,20 +51,25 @@ struct NearestPlace
   /// Of the corners of a simplex. In a quad x and y: 0 and 0 at its first corner, 1 and 0 at the
   /// second one.
   std::array<double, 4> Weights{};
-  double Distance = 0.;
+  double Distance = std::numeric_limits<double>::infinity();
 };
 
-/// Gives the value and the derivatives (PlaceParts) of each place, three numbers each.
+/// Gives the value and the derivatives (PlaceParts) of each place, three numbers each. With
+/// `valuesOnly` nobody reads the latter.
 using PlaceValues = std::vector<std::array<std::array<double, 3>, PlaceParts::Count>>;
-using EvaluatePlaces = std::function<PlaceValues(const std::vector<NearestPlace>& places)>;
+using EvaluatePlaces =
+  std::function<PlaceValues(const std::vector<NearestPlace>& places, bool valuesOnly)>;
 
-/// `fine`: the cells after `levels` steps, projected to the limit; each cell in as many pieces as a
-/// step makes, one cell after the other. Points that are not finite get no cell.
+/// The triangles on the boundary of solids are among `cells`, too. `fine`, null where there are no
+/// solids: the first cells after `levels` steps, projected to the limit; each cell in as many
+/// pieces as a step makes, one cell after the other. Points that are not finite get no cell.
 std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataSet* fine,
   int levels, const std::vector<std::array<double, 3>>& points, const EvaluatePlaces& evaluate);
 
-/// The error message if a point has no place; else empty.
-std::string CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells);
+/// Lists points that have no place, and warns of them. Returns false after an error, if there are
+/// no cells.
+bool CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells,
+  const RunOptions& options, std::vector<vtkIdType>& missing);
 
 /// What the output says of a nearest place.
 struct PlaceInCell

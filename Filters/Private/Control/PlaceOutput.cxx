@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Control/RunOptions.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -13,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -184,11 +186,47 @@ void AddArraysOfPlaces(vtkDataSet* places, vtkPolyData* output)
 
 }
 
-void FinishPlaces(vtkPolyData* arrays, vtkDataSet* places, vtkPolyData* output)
+void WarnOfMissingPlaces(
+  const std::vector<vtkIdType>& missing, const char* what, const RunOptions& options)
 {
+  if (!missing.empty())
+  {
+    const bool isOne = missing.size() == 1;
+    options.Warn(std::to_string(missing.size()) + (isOne ? " place has " : " places have ") + what +
+      " that are not finite; the first is place " + std::to_string(missing[0]) +
+      ". All its results are NaN, or 0 where they are integers. Remove it, or mend its " + what +
+      ".");
+  }
+}
+
+void FinishPlaces(const std::vector<vtkIdType>& missing, vtkPolyData* arrays, vtkDataSet* places,
+  vtkPolyData* output)
+{
+  const auto forget = [&](vtkDataArray* array)
+  {
+    const bool isInteger =
+      array && array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+    for (const vtkIdType i : InTurn(missing))
+    {
+      for (int c = 0; array && c < array->GetNumberOfComponents(); ++c)
+      {
+        array->SetComponent(i, c, isInteger ? 0. : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+  };
+  if (!missing.empty())
+  {
+    forget(output->GetPoints()->GetData());
+    for (int i = 0; i < output->GetPointData()->GetNumberOfArrays(); ++i)
+    {
+      forget(output->GetPointData()->GetArray(i));
+    }
+  }
   for (int i = 0; i < arrays->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    output->GetPointData()->AddArray(arrays->GetPointData()->GetArray(i));
+    vtkDataArray* array = arrays->GetPointData()->GetArray(i);
+    vtkIdTypeArray::SafeDownCast(array) ? void() : forget(array); // the cell is -1
+    output->GetPointData()->AddArray(array);
   }
   if (places)
   {

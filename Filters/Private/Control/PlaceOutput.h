@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkDataSet;
@@ -24,6 +25,8 @@ class vtkPolyData;
 
 namespace subdivision
 {
+
+struct RunOptions;
 
 /// Places at which the limit is asked for, in cells of the input, and what gets it.
 struct PlaceRequest
@@ -103,9 +106,15 @@ private:
   GrowingBuffer<double> Weights;
 };
 
+/// Warns of places that are missing because their `what` are not finite, which is a noun.
+void WarnOfMissingPlaces(
+  const std::vector<vtkIdType>& missing, const char* what, const RunOptions& options);
+
 /// Gives an output with points one vertex for each, all point arrays of another, and those of the
-/// places; null: they have none.
-void FinishPlaces(vtkPolyData* arrays, vtkDataSet* places, vtkPolyData* output);
+/// places; null: they have none. Places that are missing get points and values that are not a
+/// number, or 0 where these are integers.
+void FinishPlaces(const std::vector<vtkIdType>& missing, vtkPolyData* arrays, vtkDataSet* places,
+  vtkPolyData* output);
 
 }
 

@@ -106,8 +106,8 @@ public:
   bool Run()
   {
     this->CountAround();
-    return this->ExamineVertices() && !this->IsStopped(0.6) && this->ExamineEdges() &&
-      !this->IsStopped(0.9) && this->ExamineFaces() && !this->IsTooLarge;
+    return this->ExamineVertices() && this->ExamineEdges() && this->ExamineFaces() &&
+      !this->IsTooLarge;
   }
 
   const StarMap& GetMap() const { return this->Map; }
@@ -156,12 +156,22 @@ private:
   {
     const vtkIdType size = this->Complex.NumberOfVertices;
     Buffer<SmoothnessFacts> facts(size);
-    FindSpectra(this->Here, size, [](vtkIdType v) { return v; }, facts.data());
-    if (this->IsStopped(0.2))
+    const double share = this->Options.SampleMaps ? 0.1 : 0.6; // of the time
+    const vtkIdType part = std::max<vtkIdType>(1024, size / 32);
+    for (vtkIdType begin = 0; begin < size; begin += part)
+    {
+      FindSpectra(
+        this->Here, std::min(part, size - begin), [begin](vtkIdType v) { return begin + v; },
+        facts.data() + begin);
+      if (this->IsStopped(share * static_cast<double>(begin) / static_cast<double>(size)))
+      {
+        return false;
+      }
+    }
+    if (!this->SampleSolids(facts, share))
     {
       return false;
     }
-    this->SampleSolids(facts);
     const std::vector<Sheet> sheets = FindSheets(this->Here);
     auto sheet = sheets.begin();
     for (const Id v : InTurn(this->Complex.NumberOfVertices))
@@ -190,25 +200,38 @@ private:
     return true;
   }
 
-  /// Characteristic maps inside solids of tetrahedra.
-  void SampleSolids(Buffer<SmoothnessFacts>& facts) const
+  /// Whether Progress asks to stop, of many turns of a loop. Each part of the work has its own.
+  bool IsStoppedAt(vtkIdType turn, vtkIdType turns, double begin, double end) const
+  {
+    constexpr vtkIdType between = 64;
+    return turn % between == 0 &&
+      this->IsStopped(
+        begin + (end - begin) * static_cast<double>(turn) / static_cast<double>(turns));
+  }
+
+  /// Characteristic maps inside solids of tetrahedra. Returns false if Progress asks to stop.
+  bool SampleSolids(Buffer<SmoothnessFacts>& facts, double begin) const
   {
     if (!this->Options.SampleMaps || this->HasOctahedra())
     {
-      return;
+      return true;
     }
-    const StarReader<Scheme> reader(this->Here, true);
+    StarReader<Scheme> reader(this->Here, true);
     // In this thread: a star is a mesh of its own, whose loops use threads where it is large, and
     // loops of threads inside those of other threads may wait for each other.
     for (const vtkIdType v : InTurn(facts.size()))
     {
-      BetweenLoops::Act();
+      if (this->IsStoppedAt(v, facts.size(), begin, 0.6))
+      {
+        return false;
+      }
       const Rule rule = this->GetRule(static_cast<Id>(v));
       if (facts[v].Condition == Answer::Yes && FindDimension(rule) == 3)
       {
         TakeMap(reader.ExamineVertex(static_cast<Id>(v), this->Tets[v]), facts[v]);
       }
     }
+    return true;
   }
 
   /// A surface with the edges of the vertex all inside of it, or one of them the end of a crease.
@@ -261,6 +284,10 @@ private:
     StarReader<Scheme> reader(this->Here, this->Options.SampleMaps);
     for (const vtkIdType e : InTurn(size))
     {
+      if (this->IsStoppedAt(e, size, 0.6, 0.8))
+      {
+        return false;
+      }
       const Rule rule = this->Here.Strata.Edges[e].GetRule();
       facts[e] = FindDimension(rule) == 3 ? reader.ExamineEdge(static_cast<Id>(e))
                                           : this->ExamineRegular(rule);
@@ -280,6 +307,10 @@ private:
     StarReader<Scheme> reader(this->Here, this->Options.SampleMaps);
     for (const Id f : InTurn(this->Complex.NumberOfFaces))
     {
+      if (this->IsStoppedAt(f, this->Complex.NumberOfFaces, 0.8, 0.95))
+      {
+        return false;
+      }
       const Rule rule = this->Here.Strata.Faces[f].GetRule();
       const Row<Id> solids = this->Complex.FaceTets[f];
       const bool isInside = FindDimension(rule) == 3 && solids.size() == 2;

@@ -65,9 +65,15 @@ public:
     return star;
   }
   template <typename Tets>
-  SmoothnessFacts ExamineVertex(Id vertex, const Tets& tets) const
+  const SmoothnessFacts& ExamineVertex(Id vertex, const Tets& tets)
   {
-    return ExamineSolid<SmallScheme>(this->MakeVertexStar(vertex, tets), this->Samples);
+    const SolidStar star = OrderStar(this->MakeVertexStar(vertex, tets), Scheme::Traits.OrdersTets);
+    const auto [known, isNew] = this->Vertices.try_emplace(star.Tets);
+    if (isNew)
+    {
+      known->second = ExamineSolid<SmallScheme>(star, this->Samples);
+    }
+    return known->second;
   }
 
   SolidStar MakeEdgeStar(Id edge) const
@@ -201,6 +207,7 @@ private:
   const Level& Here;
   const SimplicialComplex<Id>& Complex;
   const bool Samples;
+  std::map<std::vector<std::array<int, 4>>, SmoothnessFacts> Vertices;
   std::map<std::vector<int>, SmoothnessFacts> Edges;
   std::unique_ptr<SmoothnessFacts> Faces[2];
   std::unique_ptr<SmoothnessFacts> Inside;

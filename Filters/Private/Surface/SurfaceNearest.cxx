@@ -51,7 +51,8 @@ std::array<double, 3> GetParameters(const SurfaceSearch<Id>& search, const Neare
 
 template <typename Id>
 bool SurfaceRun<Id>::FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
-  std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells)
+  std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells,
+  std::vector<vtkIdType>& missing)
 {
   std::vector<std::array<double, 3>> points(static_cast<std::size_t>(targets->GetNumberOfPoints()));
   for (const vtkIdType i : InTurn(targets->GetNumberOfPoints()))
@@ -61,17 +62,8 @@ bool SurfaceRun<Id>::FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
   const SurfaceSteps<Id>& steps = this->GetStepsOfPoints();
   const SurfaceSearch<Id> search(
     this->GetCellsOf(steps), GetLast(steps), this->Scheme->NeedsTriangles());
-  SurfaceOptions options = this->Options;
-  options.Places = nullptr;
-  options.Levels = SurfaceSearch<Id>::StepsToPieces;
-  options.Warn = [](const std::string&) {}; // this run has told all
-  vtkNew<vtkPolyData> fine;
-  if (!SurfaceRun<Id>(this->Input, options, this->Scheme, fine).Run(SurfaceCells(this->Cells)))
-  {
-    return false;
-  }
   const double* coordinates = this->Points->GetCoordinates();
-  const auto evaluate = [&](const std::vector<NearestPlace>& asked)
+  const auto evaluate = [&](const std::vector<NearestPlace>& asked, bool)
   {
     std::vector<SurfacePlace<Id>> places;
     for (const NearestPlace& one : asked)
@@ -88,16 +80,19 @@ bool SurfaceRun<Id>::FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
     return values;
   };
   const SearchedCells searched = search.GetCells();
-  nearest = FindNearestPlaces(searched, fine, search.GetStepsOfCells(), points, evaluate);
-  const std::string error = CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0);
-  if (!error.empty())
+  nearest = FindNearestPlaces(searched, nullptr, 0, points, evaluate);
+  if (!CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0, this->Options, missing))
   {
-    this->Options.Fail(error);
     return false;
   }
   vtkNew<vtkIdList> ids;
   for (const NearestPlace& one : InTurn(nearest))
   {
+    if (one.Cell < 0)
+    {
+      inCells.emplace_back();
+      continue;
+    }
     const vtkIdType owner = search.FindOwner(one);
     PlaceInCell inCell;
     inCell.Cell = parts.GetSource(owner);

@@ -108,7 +108,8 @@ SurfacePlace<Id> SurfaceRun<Id>::TakePlaceOfLine(
 /// Finds the part of the cell of a place. Returns false, after an error, if the cell is none.
 template <typename Id>
 bool SurfaceRun<Id>::ReadPlace(vtkIdType i, const PlaceInCell& given, const PartsOfCells& parts,
-  const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin) const
+  const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin,
+  std::vector<vtkIdType>& missing) const
 {
   const PolygonMesh<Id>& mesh = GetLast(*this->Steps).Mesh;
   const SurfaceLevel<Id>& level = GetLast(steps);
@@ -137,13 +138,14 @@ bool SurfaceRun<Id>::ReadPlace(vtkIdType i, const PlaceInCell& given, const Part
   std::array<double, 3> p{};
   const bool isTriangle = this->Scheme->NeedsTriangles();
   const bool isPolygon = part.Dimension == 2 && !isTriangle && points->GetNumberOfIds() != 4;
-  for (int k = 0; k < part.Dimension + (isPolygon ? 1 : 0); ++k)
+  const auto known = given.Parameters.begin() + part.Dimension + (isPolygon ? 1 : 0);
+  if (std::all_of(given.Parameters.begin(), known, [](double x) { return std::isfinite(x); }))
   {
-    p[k] = given.Parameters[k];
-    if (!std::isfinite(p[k]))
-    {
-      return fail(", and its parameters are not finite.");
-    }
+    std::copy(given.Parameters.begin(), known, p.begin());
+  }
+  else
+  {
+    missing.push_back(i);
   }
   place = SurfacePlace<Id>();
   place.Dimension = part.Dimension;
@@ -234,10 +236,11 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   vtkNew<vtkPolyData> found; // with further arrays
   std::vector<PlaceInCell> asked;
   std::vector<NearestPlace> nearest;
+  std::vector<vtkIdType> missing;
   if (request.Targets)
   {
     this->Interpolate();
-    if (!this->FindNearest(request.Targets, parts, nearest, asked))
+    if (!this->FindNearest(request.Targets, parts, nearest, asked, missing))
     {
       return false;
     }
@@ -257,16 +260,17 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   {
     const SurfaceSearch<Id> search(
       this->GetCellsOf(steps), GetLast(steps), this->Scheme->NeedsTriangles());
+    missing.resize(request.Targets ? missing.size() : 0);
     for (const vtkIdType i : InTurn(static_cast<vtkIdType>(asked.size())))
     {
-      if (request.Targets && parts[asked[i].Cell].Count != 1)
+      if (request.Targets && (asked[i].Cell < 0 || parts[asked[i].Cell].Count != 1))
       {
-        const SurfacePlace<Id> place = search.MakePlace(nearest[i]);
-        origins[i] = { static_cast<vtkIdType>(search.FindNearestVertex(nearest[i])),
-          place.Dimension };
+        const NearestPlace at = asked[i].Cell < 0 ? NearestPlace{ 0 } : nearest[i];
+        const SurfacePlace<Id> place = search.MakePlace(at);
+        origins[i] = { static_cast<vtkIdType>(search.FindNearestVertex(at)), place.Dimension };
         places[i] = this->TakePlaceOfLine(GetLast(steps), place);
       }
-      else if (!this->ReadPlace(i, asked[i], parts, steps, places[i], origins[i]))
+      else if (!this->ReadPlace(i, asked[i], parts, steps, places[i], origins[i], missing))
       {
         return false;
       }
@@ -279,6 +283,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   }
   if (!request.Targets)
   {
+    WarnOfMissingPlaces(missing, "parameters", this->Options);
     this->Interpolate();
   }
   const auto size = static_cast<vtkIdType>(places.size());
@@ -322,7 +327,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   this->Points->ForgetInputPoints();
   request.Output->Initialize();
   this->Points->Finish(request.Output);
-  FinishPlaces(found, request.Targets, request.Output);
+  FinishPlaces(missing, found, request.Targets, request.Output);
   return true;
 }
 

@@ -194,13 +194,15 @@ private:
     return &steps == this->Joined ? this->JoinedMesh.Cells : this->Cells;
   }
   bool ReadPlace(vtkIdType i, const PlaceInCell& given, const PartsOfCells& parts,
-    const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin) const;
+    const SurfaceSteps<Id>& steps, SurfacePlace<Id>& place, PlaceOrigin& origin,
+    std::vector<vtkIdType>& missing) const;
   SurfacePlace<Id> TakePlaceOfLine(
     const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const;
   void SumPlaces(const SurfaceSteps<Id>& steps, const std::vector<SurfacePlace<Id>>& places,
     const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const;
   bool FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
-    std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells);
+    std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells,
+    std::vector<vtkIdType>& missing);
   bool WantsFrames() const
   {
     return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;

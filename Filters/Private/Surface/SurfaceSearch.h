@@ -31,9 +31,6 @@ public:
       this->Level.Mesh.GetNumberOfEdges() + this->Level.Mesh.NumberOfFaces;
     return { corners, this->Dimensions, this->Connectivity, this->HasQuads };
   }
-  /// Steps of the surface, and of the cells, to pieces that are fine enough to begin at.
-  static constexpr int StepsToPieces = 2;
-  int GetStepsOfCells() const { return this->IsSplit ? StepsToPieces - 1 : StepsToPieces; }
 
   /// The cell of the surface with a place.
   vtkIdType FindOwner(const NearestPlace& place) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StartPieces.h
- * The flat pieces at which searches for nearest places begin (NearestStarts.h), where the solids of
+ * The flat pieces at which searches for nearest places begin (SolidPieces.h), where the solids of
  * a level are tetrahedra and octahedra.
  *
  * An octahedron lies in several of the cells that a tetrahedron, or a quarter of an octahedron,

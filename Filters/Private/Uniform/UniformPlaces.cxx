@@ -33,7 +33,7 @@ using Vector = std::array<double, 3>;
 /// user can stop between them. Those in solids have far more entries.
 template <typename Id, typename LevelType, typename Use>
 void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places, const Use& use)
+  const std::vector<LimitPlace<Id>>& places, PlaceDerivatives derivatives, const Use& use)
 {
   constexpr int most = 8192;
   constexpr int weightOfSolid = 32;
@@ -46,7 +46,7 @@ void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
     if (weight >= most || i + 1 == places.size())
     {
       use(static_cast<vtkIdType>(i + 1 - part.size()),
-        PlaceLimits<Id>(level, creases, part, PlaceDerivatives::Second));
+        PlaceLimits<Id>(level, creases, part, derivatives));
       BetweenLoops::Act();
       part.clear();
       weight = 0;
@@ -66,6 +66,80 @@ void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
   }
 }
 
+/// Simplices, then the triangles on the boundary of their tetrahedra.
+struct CellsAndSides
+{
+  explicit CellsAndSides(const SimplexList& simplices)
+    : Dimensions(simplices.Dimensions)
+    , Connectivity(simplices.Connectivity)
+    , Size(simplices.GetNumberOfSimplices())
+  {
+    struct Side
+    {
+      std::array<vtkIdType, 3> Corners;
+      vtkIdType Tet;
+    };
+    std::vector<Side> sides;
+    const vtkIdType* corners = simplices.Connectivity.data();
+    for (const vtkIdType s : InTurn(this->Size))
+    {
+      for (int k = 0; simplices.Dimensions[s] == 3 && k < 4; ++k)
+      {
+        Side side{ { { corners[(k + 1) % 4], corners[(k + 2) % 4], corners[(k + 3) % 4] } }, s };
+        std::sort(side.Corners.begin(), side.Corners.end());
+        sides.push_back(side);
+      }
+      corners += simplices.Dimensions[s] + 1;
+    }
+    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b)
+      { return a.Corners != b.Corners ? a.Corners < b.Corners : a.Tet < b.Tet; });
+    for (std::size_t i = 0, next = 0; i < sides.size(); i = next)
+    {
+      while (next < sides.size() && sides[next].Corners == sides[i].Corners)
+      {
+        ++next;
+      }
+      if (next == i + 1)
+      {
+        this->Dimensions.push_back(2);
+        this->Connectivity.insert(
+          this->Connectivity.end(), sides[i].Corners.begin(), sides[i].Corners.end());
+        this->Tets.push_back(sides[i].Tet);
+      }
+    }
+  }
+  /// `starts`: of the corners of simplices, and their end.
+  const vtkIdType* GetCorners(vtkIdType cell, const std::vector<vtkIdType>& starts) const
+  {
+    return this->Connectivity.data() +
+      (cell < this->Size ? starts[cell] : starts.back() + 3 * (cell - this->Size));
+  }
+  /// A place on the boundary becomes one of the tetrahedron there.
+  void GoToSolid(
+    const SimplexList& simplices, const std::vector<vtkIdType>& starts, NearestPlace& place) const
+  {
+    if (place.Cell < this->Size)
+    {
+      return;
+    }
+    const vtkIdType* of = this->GetCorners(place.Cell, starts);
+    const vtkIdType tet = this->Tets[place.Cell - this->Size];
+    const vtkIdType* corners = simplices.Connectivity.data() + starts[tet];
+    std::array<double, 4> weights{};
+    for (int k = 0; k < 3; ++k)
+    {
+      weights[std::find(corners, corners + 4, of[k]) - corners] = place.Weights[k];
+    }
+    place.Cell = tet;
+    place.Weights = weights;
+  }
+
+  std::vector<unsigned char> Dimensions;
+  std::vector<vtkIdType> Connectivity;
+  const vtkIdType Size;        ///< how many simplices there are
+  std::vector<vtkIdType> Tets; ///< of the triangles
+};
+
 /// Whether a place lies in its simplex, but for rounding.
 template <typename Id>
 bool IsInside(const LimitPlace<Id>& place)
@@ -80,7 +154,8 @@ bool IsInside(const LimitPlace<Id>& place)
 /// Finds the simplex of the cell of each place, and the order of its corners. Returns false, after
 /// an error, if a cell has none of its own.
 template <typename Id>
-bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const
+bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places,
+  std::vector<vtkIdType>& missing) const
 {
   const SimplexList& simplices = this->Mesh.Cells.Simplices;
   const auto& parents = this->Mesh.Cells.ParentCells;
@@ -124,14 +199,16 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
       place.Corners[k] = static_cast<Id>(corners[k]);
     }
     SetOrder(points, place);
+    bool isFinite = true;
     for (int k = 0; k < place.Dimension; ++k)
     {
       place.Parameters[k] = request.Parameters->GetComponent(i, k);
-      if (!std::isfinite(place.Parameters[k]))
-      {
-        this->Options.Fail("The parameters of place " + std::to_string(i) + " are not finite.");
-        return false;
-      }
+      isFinite = isFinite && std::isfinite(place.Parameters[k]);
+    }
+    if (!isFinite)
+    {
+      missing.push_back(i);
+      place.Parameters = Vector{};
     }
     if (!IsInside(place))
     {
@@ -143,6 +220,7 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
     }
     places.push_back(place);
   }
+  WarnOfMissingPlaces(missing, "parameters", this->Options);
   return true;
 }
 
@@ -150,7 +228,8 @@ bool UniformRun::ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<
 template <typename Scheme>
 bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
   const SemiSharpStages<typename Scheme::Id>& creases,
-  std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found)
+  std::vector<LimitPlace<typename Scheme::Id>>& places, std::vector<vtkIdType>& missing,
+  vtkPolyData* found)
 {
   using Id = typename Scheme::Id;
   const SimplexList& simplices = this->Mesh.Cells.Simplices;
@@ -161,21 +240,26 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
     request.Targets->GetPoint(i, targets[i].data());
   }
   constexpr int levels = 2;
-  UniformOptions options = this->Options;
-  options.Places = nullptr;
-  options.Levels = levels;
-  options.Warn = [](const std::string&) {}; // this run has told all
-  auto fine = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  if (!UniformRun(this->Input, options, fine).Run())
+  vtkSmartPointer<vtkUnstructuredGrid> fine;
+  if (level.Complex.NumberOfTets > 0 || Scheme::CountCentres(level) > 0)
   {
-    return false;
+    UniformOptions options = this->Options;
+    options.Places = nullptr;
+    options.Levels = levels;
+    options.Warn = [](const std::string&) {}; // this run has told all
+    fine = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    if (!UniformRun(this->Input, options, fine).Run())
+    {
+      return false;
+    }
+    if constexpr (Scheme::Traits.HasPieces)
+    {
+      Buffer<vtkIdType> octahedra(simplices.GetNumberOfSimplices());
+      NumberOctahedra(this->Control.Runs, Scheme::CountSteps(level), octahedra.data());
+      fine = CutSolidsAnew(fine, simplices, octahedra, levels);
+    }
   }
-  if constexpr (Scheme::Traits.HasPieces)
-  {
-    Buffer<vtkIdType> octahedra(simplices.GetNumberOfSimplices());
-    NumberOctahedra(this->Control.Runs, Scheme::CountSteps(level), octahedra.data());
-    fine = CutSolidsAnew(fine, simplices, octahedra, levels);
-  }
+  const CellsAndSides all(simplices);
   std::vector<vtkIdType> starts{ 0 };
   std::vector<int> counts(static_cast<std::size_t>(this->Input->GetNumberOfCells()), 0);
   for (const vtkIdType s : InTurn(simplices.GetNumberOfSimplices()))
@@ -186,20 +270,20 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
   const auto makePlace = [&](const NearestPlace& nearest)
   {
     LimitPlace<Id> place;
-    place.Dimension = simplices.Dimensions[nearest.Cell];
-    std::transform(simplices.Connectivity.begin() + starts[nearest.Cell],
-      simplices.Connectivity.begin() + starts[nearest.Cell + 1], place.Corners.begin(),
+    place.Dimension = all.Dimensions[nearest.Cell];
+    const vtkIdType* corners = all.GetCorners(nearest.Cell, starts);
+    std::transform(corners, corners + place.Dimension + 1, place.Corners.begin(),
       [](vtkIdType id) { return static_cast<Id>(id); });
     std::copy_n(nearest.Weights.begin() + 1, 3, place.Parameters.begin());
     return place;
   };
   const double* coordinates = this->Points->GetCoordinates();
-  const auto evaluate = [&](const std::vector<NearestPlace>& nearest)
+  const auto evaluate = [&](const std::vector<NearestPlace>& nearest, bool valuesOnly)
   {
     std::vector<LimitPlace<Id>> at;
     std::transform(nearest.begin(), nearest.end(), std::back_inserter(at), makePlace);
     PlaceValues values(at.size());
-    ForParts(level, creases, at,
+    ForParts(level, creases, at, valuesOnly ? PlaceDerivatives::None : PlaceDerivatives::Second,
       [&](vtkIdType begin, const PlaceLimits<Id>& limits)
       {
         ForEach(limits.Rows.GetNumberOfPlaces(),
@@ -207,20 +291,23 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
       });
     return values;
   };
-  const SearchedCells searched{ simplices.NumberOfPoints, simplices.Dimensions,
-    simplices.Connectivity, false };
-  const std::vector<NearestPlace> nearest =
-    FindNearestPlaces(searched, fine, levels, targets, evaluate);
-  const std::string error = CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0);
-  if (!error.empty())
+  const SearchedCells searched{ simplices.NumberOfPoints, all.Dimensions, all.Connectivity, false };
+  std::vector<NearestPlace> nearest = FindNearestPlaces(searched, fine, levels, targets, evaluate);
+  if (!CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0, this->Options, missing))
   {
-    this->Options.Fail(error);
     return false;
   }
   std::vector<PlaceInCell> inCells;
   vtkNew<vtkIdList> points;
-  for (const NearestPlace& one : InTurn(nearest))
+  for (NearestPlace& one : InTurn(nearest))
   {
+    if (one.Cell < 0)
+    {
+      places.push_back(makePlace(NearestPlace{ 0, { { 1., 0., 0., 0. } } }));
+      inCells.emplace_back();
+      continue;
+    }
+    all.GoToSolid(simplices, starts, one);
     PlaceInCell inCell;
     inCell.Cell = parents.empty() ? one.Cell : parents[one.Cell];
     LimitPlace<Id> place = makePlace(one);
@@ -254,8 +341,9 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   }
   std::vector<LimitPlace<Id>> places;
   vtkNew<vtkPolyData> found; // with further arrays
-  if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, found)
-                      : !this->ReadPlaces(request, places))
+  std::vector<vtkIdType> missing;
+  if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, missing, found)
+                      : !this->ReadPlaces(request, places, missing))
   {
     return false;
   }
@@ -264,7 +352,7 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   output->Initialize();
   DerivativeArrays derivatives(static_cast<vtkIdType>(places.size()), found);
   AppendedRows rows;
-  ForParts(level, creases, places,
+  ForParts(level, creases, places, PlaceDerivatives::Second,
     [&](vtkIdType begin, const PlaceLimits<Id>& limits)
     {
       rows.Append(limits.Rows);
@@ -287,7 +375,7 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
     });
   this->Points->ForgetInputPoints();
   this->Points->Finish(output);
-  FinishPlaces(found, request.Targets, output);
+  FinishPlaces(missing, found, request.Targets, output);
   return true;
 }
 

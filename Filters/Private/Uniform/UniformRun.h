@@ -68,11 +68,13 @@ private:
   bool Execute();
   void UseKept(KeptOperator& kept);
   template <typename Id>
-  bool ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places) const;
+  bool ReadPlaces(const PlaceRequest& request, std::vector<LimitPlace<Id>>& places,
+    std::vector<vtkIdType>& missing) const;
   template <typename Scheme>
   bool FindNearest(const PlaceRequest& request, const typename Scheme::Level& level,
     const SemiSharpStages<typename Scheme::Id>& creases,
-    std::vector<LimitPlace<typename Scheme::Id>>& places, vtkPolyData* found);
+    std::vector<LimitPlace<typename Scheme::Id>>& places, std::vector<vtkIdType>& missing,
+    vtkPolyData* found);
   template <typename Scheme>
   bool FindPlaces(const PlaceRequest& request, const typename Scheme::Level& level);
   void Keep();

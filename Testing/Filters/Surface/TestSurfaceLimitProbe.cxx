@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace surfacetools;
@@ -326,14 +327,6 @@ TEST(SurfaceLimitProbe, Errors)
   filter->SetInputDataObject(input);
   vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
   messages->Watch(filter);
-  filter->SetInputDataObject(3, place_tools::MakeTargets({ { std::nan(""), 0., 0. } }));
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(
-    messages->Errors[0].find("Point 0 has no nearest place: it is not finite"), std::string::npos)
-    << messages->Errors[0];
-  messages->Errors.clear();
   vtkNew<vtkPolyData> nothing;
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0., 0., 0.);
@@ -343,4 +336,53 @@ TEST(SurfaceLimitProbe, Errors)
   filter->Update();
   ASSERT_FALSE(messages->Errors.empty());
   EXPECT_NE(messages->Errors[0].find("no cells"), std::string::npos) << messages->Errors[0];
+}
+
+/// A place that is not finite has no results; all others have those that they have without it.
+TEST(SurfaceLimitProbe, MissingPlaces)
+{
+  const std::vector<Point> known = { { 0.2, 0.3, 2. }, { 1e300, 1e300, 0. }, { -3., 0.1, 0.2 } };
+  const std::vector<Point> all = { known[0], { std::nan(""), 0., 0. }, known[1],
+    { 0., std::numeric_limits<double>::infinity(), 0. }, known[2] };
+  for (const int scheme : { ProbeFilter::CATMULL_CLARK, ProbeFilter::LOOP_OF_SURFACES })
+  {
+    SCOPED_TRACE(scheme);
+    vtkNew<ProbeFilter> filter;
+    filter->SetSurfaceScheme(scheme);
+    filter->SetInputDataObject(MakeInput(MakeZoo(false)["cube"]));
+    vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
+    messages->Watch(filter);
+    const auto probe = [&](const std::vector<Point>& targets)
+    {
+      filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
+      filter->Update();
+      vtkNew<vtkPolyData> found;
+      found->DeepCopy(filter->GetOutput());
+      EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
+      return vtkSmartPointer<vtkPolyData>(found);
+    };
+    const auto with = probe(all);
+    EXPECT_TRUE(messages->Errors.empty());
+    EXPECT_EQ(messages->CountWarnings(
+                "2 places have coordinates that are not finite; the first is place 1"),
+      1);
+    const auto without = probe(known);
+    for (vtkIdType i = 0; i < 5; ++i)
+    {
+      EXPECT_EQ(std::isnan(with->GetPoint(i)[0]), i % 2 == 1) << i;
+      EXPECT_EQ(with->GetPointData()->GetArray("CellId")->GetComponent(i, 0) < 0., i % 2 == 1) << i;
+      for (const char* name : { "Distance", "CellParameters", "DerivativeU", "LimitNormals" })
+      {
+        const double value = with->GetPointData()->GetArray(name)->GetComponent(i, 0);
+        EXPECT_EQ(std::isnan(value), i % 2 == 1) << name << i;
+        if (i % 2 == 0)
+        {
+          EXPECT_EQ(value, without->GetPointData()->GetArray(name)->GetComponent(i / 2, 0))
+            << name << i;
+        }
+      }
+    }
+    EXPECT_NEAR(
+      with->GetPointData()->GetArray("Distance")->GetComponent(2, 0) / 1e300, std::sqrt(2.), 1e-12);
+  }
 }

@@ -407,7 +407,17 @@ TEST(SurfacePlaces, Errors)
   fails(0, { -0.1, 0., 0. }, "cell 0: it is outside");
   fails(1, { 0.2, 0.2, 5. }, "cell 1, a polygon that is no quad");
   fails(2, { 0.2, 0.2, 0.5 }, "cell 2, a polygon that is no quad");
-  fails(1, { 0.2, std::nan(""), 0. }, "not finite");
+  {
+    Places missing;
+    missing.Add(1, { 0.2, std::nan(""), 0. });
+    missing.Add(1, { 0.2, 0.3, 1. });
+    const auto found = Evaluate(filter.Get(), missing);
+    EXPECT_TRUE(std::isnan(found->GetPoint(0)[0]));
+    EXPECT_TRUE(std::isfinite(found->GetPoint(1)[0]));
+    EXPECT_EQ(
+      messages->CountWarnings("1 place has parameters that are not finite; the first is place 0"),
+      1);
+  }
   filter->SetSchemeToLoop();
   fails(1, { 0.2, 0.2, 0. }, "cell 1, which was cut");
   fails(2, { 0.6, 0.6, 0. }, "cell 2: it is outside");

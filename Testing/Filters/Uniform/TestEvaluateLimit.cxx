@@ -577,7 +577,17 @@ TEST(EvaluateLimit, Errors)
   const Grid tet = MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 0., 0., 1. } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   filter->SetInputData(tet);
-  fails(0, { std::nan(""), 0., 0. }, "not finite");
+  {
+    Places missing;
+    missing.Add(0, { std::nan(""), 0., 0. });
+    missing.Add(0, { 0.2, 0.2, 0.2 });
+    const auto found = Evaluate(filter, missing);
+    EXPECT_TRUE(std::isnan(found->GetPoint(0)[0]));
+    EXPECT_TRUE(std::isfinite(found->GetPoint(1)[0]));
+    EXPECT_EQ(
+      messages->CountWarnings("1 place has parameters that are not finite; the first is place 0"),
+      1);
+  }
   fails(0, { 0.6, 0.6, 0. }, "outside of cell 0");
   fails(0, { -0.1, 0.2, 0. }, "outside of cell 0");
   filter->SetInterfaceValuesToDiscontinuous();

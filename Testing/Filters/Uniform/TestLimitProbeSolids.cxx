@@ -65,10 +65,31 @@ place_tools::Places DrawPlaces(vtkUnstructuredGrid* mesh, int count, double marg
 
 }
 
-/// From far away, where sides of solids are curved: steps that count them as flat lead beyond the
-/// place. A few searches end at another place to which nothing around it is nearer; with flat steps
-/// 116 of 480 ended too far away.
-TEST(SubdivisionLimitProbe, HardlyAVertexOfASolidIsNearerToAPointFarAway)
+/// Of all models, from beside them to very far away.
+TEST(LimitProbeSolids, NoVertexOfAModelIsNearer)
+{
+  std::mt19937 random(7);
+  const auto draw = [&random](double size) { return size * (random() / 2147483648. - 1.); };
+  for (int model = 0; model < vtkSubdivisionModelSource::NUMBER_OF_MODELS; ++model)
+  {
+    SCOPED_TRACE(vtkSubdivisionModelSource::GetModelName(model));
+    const Grid mesh = MakeModel(model);
+    const double size = mesh->GetLength();
+    for (const double far : { 0.5, 3., 1e3, 1e6 })
+    {
+      std::vector<Point> targets;
+      for (int i = 0; i < 20; ++i)
+      {
+        targets.push_back({ draw(far * size), draw(far * size), draw(far * size) });
+      }
+      ExpectNoVertexIsNearer(
+        mesh, targets, 2, 0.5 * size, 1e-9 * size + 1e-15 * far * size, Plain());
+    }
+  }
+}
+
+/// From far away, where sides of solids are curved.
+TEST(SubdivisionLimitProbe, NoVertexOfASolidIsNearerToAPointFarAway)
 {
   std::mt19937 random(5);
   const auto draw = [&random](double size) { return size * (random() / 2147483648. - 1.); };
@@ -89,9 +110,9 @@ TEST(SubdivisionLimitProbe, HardlyAVertexOfASolidIsNearerToAPointFarAway)
     const Grid solid = MakeGrid(points,
       { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } },
         { VTK_TETRA, { 2, 3, 4, 5 } } });
-    count += ExpectNoVertexIsNearer(solid, targets, 4, 0.1, 0.02);
+    count += ExpectNoVertexIsNearer(solid, targets, 4, 0.1);
   }
-  EXPECT_LE(count, 8); // 6 were found
+  EXPECT_EQ(count, 0);
 }
 
 TEST(LimitProbeSolids, PointsInsideAreTheirOwnPlaces)
@@ -152,8 +173,7 @@ TEST(LimitProbeSolids, PointsNextToVerticesWhereTheLimitStandsStill)
   ExpectOwnPlaces(mesh, places, 1e-9, TetOct());
 }
 
-/// Of points beside solids of the tet/oct scheme; hardly one ends at another place to which nothing
-/// around it is nearer.
+/// Of points beside solids of the tet/oct scheme.
 TEST(LimitProbeSolids, NoVertexOfAFineLevelOfTetOctIsNearer)
 {
   std::mt19937 random(1);
@@ -176,9 +196,9 @@ TEST(LimitProbeSolids, NoVertexOfAFineLevelOfTetOctIsNearer)
       }
       targets.push_back(target);
     }
-    count += ExpectNoVertexIsNearer(mesh, targets, 3, 0.2, 0.02, TetOct());
+    count += ExpectNoVertexIsNearer(mesh, targets, 3, 0.2, 1e-9, TetOct());
   }
-  EXPECT_LE(count, 2); // of 120; 1 was found
+  EXPECT_EQ(count, 0);
 }
 
 /// A place in an output of the filter, which has pieces of octahedra: each of these is a cell.

@@ -273,7 +273,6 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
     ASSERT_FALSE(messages->Errors.empty()) << part;
     EXPECT_NE(messages->Errors[0].find(part), std::string::npos) << messages->Errors[0];
   };
-  fails(box, { std::nan(""), 0., 0. }, "not finite");
   fails(MakeGrid({ { 0., 0., 0. } }, {}), { 0., 0., 0. }, "no cells");
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, box);
@@ -284,4 +283,34 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
   filter->Update();
   ASSERT_FALSE(messages->Errors.empty());
   EXPECT_NE(messages->Errors[0].find("Places (input port 3) are missing"), std::string::npos);
+}
+
+/// A place that is not finite has no results; all others have those that they have without it. A
+/// place very far away is one like any other.
+TEST(SubdivisionLimitProbe, MissingPlaces)
+{
+  const Grid mesh = MakeModel(7);
+  vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetInputDataObject(mesh);
+  filter->SetInputDataObject(3,
+    place_tools::MakeTargets({ { 0.4, 0.3, 0.2 }, { std::nan(""), 0., 0. }, { 1e300, 0., 0. } }));
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->Update();
+  EXPECT_TRUE(messages->Errors.empty());
+  EXPECT_EQ(
+    messages->CountWarnings("1 place has coordinates that are not finite; the first is place 1"),
+    1);
+  vtkPolyData* found = filter->GetOutput();
+  ASSERT_EQ(found->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(std::isnan(found->GetPoint(i)[0]), i == 1);
+    for (const char* name : { "Distance", "Random", "DerivativeU" })
+    {
+      EXPECT_EQ(std::isnan(found->GetPointData()->GetArray(name)->GetComponent(i, 0)), i == 1);
+    }
+  }
+  EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(1, 0), -1.);
+  EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(2, 0) / 1e300, 1., 1e-12);
 }

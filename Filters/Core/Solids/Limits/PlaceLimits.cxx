@@ -174,20 +174,24 @@ void FollowTetOct(
 /// that the limit is linear. Its nodes are those of a polynomial then, or its corners.
 template <typename Id>
 void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimension,
-  int sharpSteps, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
+  int sharpSteps, bool hasDerivatives, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
 {
   std::array<Id, 4> corners = simplex.Corners;
   const auto isRegular = [&]()
   { return dimension < 3 && IsRegular(part, dimension, simplex.Parts); };
+  // At a corner of a part the limit is that of a vertex, but for its derivatives.
+  const auto isAtCorner = [&]()
+  { return !hasDerivatives && std::find(part.At.begin(), part.At.end(), 1.) != part.At.end(); };
   SplitCount count(part, dimension);
-  for (int sharp = sharpSteps; sharp > 0 || (!isRegular() && !count.IsEnough()); --sharp)
+  for (int sharp = sharpSteps; !isAtCorner() && (sharp > 0 || (!isRegular() && !count.IsEnough()));
+    --sharp)
   {
     const int child = part.FindChild(dimension);
     part.GoToChild(dimension, child);
     corners = GetCornersOfChild(corners, dimension, child, names);
     count.Add(part);
   }
-  if (!isRegular() && !count.IsInsideTet())
+  if (isAtCorner() || (!isRegular() && !count.IsInsideTet()))
   {
     TakeCorners(dimension, part, corners, nodes);
     return;
@@ -204,7 +208,7 @@ template <typename LevelType, typename Id>
 std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
   RegularReader<LevelType>& reader, const SemiSharpStages<Id>& creases,
   const std::vector<LimitPlace<Id>>& places, const std::vector<SolidRow<Id>>& ready,
-  VertexNames<Id>& names)
+  bool hasDerivatives, VertexNames<Id>& names)
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   const int sharpSteps = CountSharpSteps(creases);
@@ -255,7 +259,7 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     {
       continue;
     }
-    SplitToNodes(regular, part, dimension, isSharp ? sharpSteps : 0, names, nodes);
+    SplitToNodes(regular, part, dimension, isSharp ? sharpSteps : 0, hasDerivatives, names, nodes);
   }
   return all;
 }
@@ -427,7 +431,8 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
       ready = FindSolidRows(level, creases, places);
     }
   }
-  const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, creases, places, ready, names);
+  const std::vector<PlaceNodes<Id>> nodes =
+    FindNodes(level, reader, creases, places, ready, derivatives != PlaceDerivatives::None, names);
   if constexpr (isLinear)
   {
     TakeNodes(nodes, ready);

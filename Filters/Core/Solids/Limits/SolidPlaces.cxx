@@ -22,7 +22,7 @@ class SolidPlaceFinder
 public:
   SolidPlaceFinder(const Level<Id>& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
-    , Lattice(level, sharp)
+    , Lattice(level, sharp, true)
     , Regular(level, this->Lattice)
   {
   }
