@@ -13,6 +13,7 @@
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Reading/CellChecks.h"
+#include "Private/Reading/HangingNodes.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Surface/SurfaceInput.h"
@@ -28,6 +29,7 @@
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -145,7 +147,41 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
   const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
                                                    : subdivision::NonLinearRule::Corners;
   const auto readable = subdivision::MakeReadable(input, rule, warnings);
-  return this->MergePoints ? subdivision::MergeCoincidentPoints(readable) : readable;
+  return this->MergePoints && readable ? this->MergeIn(readable, warnings) : readable;
+}
+
+bool vtkSubdivisionAlgorithm::KeepsCopies() const
+{
+  return this->MergePoints && this->MergedValues == KEEP_VALUES && !this->HasSeams() &&
+    this->HasInterfaces() && this->InterfaceValues == CONTINUOUS_VALUES && !this->SharesRanks();
+}
+
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
+  vtkDataObject* readable, std::vector<std::string>& warnings)
+{
+  subdivision::MergeOptions options;
+  options.Tolerance = this->MergeTolerance;
+  options.Values = static_cast<subdivision::MergedValues>(this->MergedValues);
+  options.InterpolateIntegers = this->InterpolateIntegers;
+  options.JoinsBlocks = this->JoinBlocks;
+  options.HasSeams = this->HasSeams();
+  options.KeepsTexture = this->HasSeams() && this->JoinsSeams();
+  options.HasCopies = this->KeepsCopies();
+  if (this->MergedValues == KEEP_VALUES && !options.HasSeams && !options.HasCopies)
+  {
+    options.Values = subdivision::MergedValues::First;
+    warnings.emplace_back("With these options the filter cannot keep all values of points that it "
+                          "merges: it takes the first, as MergedValues = First does.");
+  }
+  if (this->SharesRanks() && options.Tolerance > 0.)
+  {
+    options.Tolerance = 0.;
+    warnings.emplace_back("No rank knows all points that are near each other: the filter ignores "
+                          "MergeTolerance, and MergePoints joins equal points. Apply "
+                          "vtkStaticCleanUnstructuredGrid (surfaces: vtkCleanPolyData) with a "
+                          "tolerance before the mesh is distributed.");
+  }
+  return subdivision::MergeCoincidentPoints(readable, options, warnings);
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
@@ -201,6 +237,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     made = vtkSmartPointer<vtkPolyData>::New();
   }
   vtkSmartPointer<vtkDataObject> readable;
+  subdivision::PointSources sources;
   bool failed = false;
   this->PrepareRun(given);
   vtkInformation* info = outputVector->GetInformationObject(0);
@@ -225,7 +262,9 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     {
       readable = this->ReadInput(given, distribution.Warnings);
       this->Inspect(given, readable);
-      readable = this->Mark(given, readable);
+      readable = subdivision::RemoveMergedPoints(
+        this->Mark(given, readable), distribution.Prepare, options.Warn, sources);
+      subdivision::AppendSources(sources, given, this->Factors);
       if (this->IsOfSurfaces())
       {
         readable = this->MakeSurfaces(readable, distribution.Warnings);
@@ -241,12 +280,28 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   subdivision::MaterialFieldOptions fields;
   fields.IsOn = hasFields;
   fields.CellArrays = this->FieldsOfCells;
+  if (this->KeepsCopies())
+  {
+    fields.IsOn = fields.OfMergedParts = hasFields = true;
+    fields.CellArrays.clear();
+  }
   distribution.KeepsOwnValues = hasFields;
   bool hasCases = false;
   distribution.HasCases = &hasCases;
   distribution.ReadsOwnBlocks = this->HasInterfaces() && !hasFields;
   // Whether cells are faces of others, and so have no values of their own, shows one layer farther.
-  distribution.Layers += hasFields || vtkDataObjectTree::SafeDownCast(readable) ? 1 : 0;
+  distribution.Layers += (hasFields || vtkDataObjectTree::SafeDownCast(readable) ? 1 : 0) +
+    (this->CloseHangingNodes ? 1 : 0);
+  if (this->CloseHangingNodes)
+  {
+    distribution.Change = [&options](vtkPointSet* mesh)
+    {
+      std::vector<std::string> warnings;
+      auto closed = subdivision::CloseHangingNodes(mesh, warnings);
+      subdivision::Tell(warnings, options);
+      return closed;
+    };
+  }
   const int result =
     subdivision::RunDistributed(this, readable, made, distribution, traits, options,
       [&](vtkPointSet* mesh, vtkPointSet* subdivided)
@@ -272,6 +327,10 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
         };
         return subdivision::RunWithMissingValues(mesh, subdivided, options, runMesh);
       });
+  if (this->GenerateOriginalIds)
+  {
+    subdivision::RestoreOriginalPoints(made, sources);
+  }
   subdivision::RestoreSourceCells(this->IsOfSurfaces() ? made.Get() : nullptr);
   options.Part = all.Take(0.95, 1.);
   subdivision::ConnectToFilter(this, options, failed);
@@ -320,11 +379,12 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   *found->Factors = subdivision::MatrixFactors();
   found->Modified();
   if (this->InterpolatePoints || this->InterpolateArrays ||
-    this->InterfaceValues == DISCONTINUOUS_VALUES)
+    this->InterfaceValues == DISCONTINUOUS_VALUES || this->KeepsCopies())
   {
     subdivision::Fail(this,
-      "InterpolatePoints, InterpolateArrays and InterfaceValues = Discontinuous have "
-      "no operator of few entries: switch them off.");
+      "InterpolatePoints, InterpolateArrays, InterfaceValues = Discontinuous and MergedValues = "
+      "Keep "
+      "have no operator of few entries: switch them off.");
     return false;
   }
   this->Factors = found->Factors.get();
@@ -415,6 +475,11 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   options.DetectFeatures = this->DetectFeatures;
   options.FeatureAngle = this->FeatureAngle;
   options.MergesPoints = this->MergePoints || subdivision::HasDuplicates(input);
+  options.ClosesNodes = this->CloseHangingNodes;
+  options.JoiningCure = input->GetPointData()->GetTCoords()
+    ? "use vtkSurfaceSubdivision, whose JoinSeams keeps the texture coordinates of both sides. "
+      "MergePoints leaves them out."
+    : "";
   options.Type1 = static_cast<JointRule>(this->Type1Rule);
   options.Type2 = this->Type2Rule == TYPE2_FOLLOW_PART ? JointRule::FollowPart
                                                        : static_cast<JointRule>(this->Type2Rule);
@@ -462,6 +527,9 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
+  os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
+  os << indent << "MergedValues: " << this->MergedValues << "\n";
+  os << indent << "CloseHangingNodes: " << this->CloseHangingNodes << "\n";
   os << indent << "JoinBlocks: " << this->JoinBlocks << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

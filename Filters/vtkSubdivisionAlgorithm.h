@@ -420,18 +420,72 @@ public:
 
   ///@{
   /**
-   * Whether cells whose points have equal coordinates share one point, that with the smallest
-   * global id (index, where there are none); its values count. The other points stay, unused, so
-   * that ids stay. Cells that become degenerate are left out with a warning. It also joins parts
-   * that only touch, and points that were doubled on purpose. Points that are almost at one place
-   * stay apart. Takes n log n steps for n points. Off by default: parts are joined where they share
-   * points, and a warning counts the points that cells would share with this option, and names two
-   * of them, also along cracks whose points are doubled on purpose. vtkRedGreenRefinement, which
-   * works where it refines only, does not look for them.
+   * Whether cells whose points have equal coordinates, or nearly (MergeTolerance), share one point:
+   * that with the smallest global id (index, where there are none). The others are not in the
+   * output; original ids stay those of the input, and points without cells stay as they are. Cells
+   * that become degenerate are left out with a warning, which tells that MergePoints did it. It
+   * also joins parts that only touch, and points that were doubled on purpose. Where values of
+   * points that become one differ, a warning names the arrays, and MergedValues decides; normals,
+   * which a filter makes anew, do not count. Takes n log n steps for n points. Off by default:
+   * parts are joined where they share points, and a warning counts the points that cells would
+   * share with this option, and names two of them, also along cracks whose points are doubled on
+   * purpose; they may be 1e-6 of the size of the mesh apart. vtkRedGreenRefinement, which works
+   * where it refines only, does not look for them.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
   vtkBooleanMacro(MergePoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How far points may be apart that MergePoints joins. Where there is a chain of points, each near
+   * to the next one, all are joined. All get the least coordinates of any of them, x first. On
+   * several ranks it is ignored with a warning. A part of the diagonal of the bounding box of all
+   * points, 0 to 0.1. Default 0.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0., 0.1);
+  vtkGetMacro(MergeTolerance, double);
+  ///@}
+
+  enum MergedValuesRules
+  {
+    FIRST_VALUE,
+    AVERAGE_VALUE,
+    KEEP_VALUES
+  };
+  ///@{
+  /**
+   * What values MergePoints gives to points that become one: FIRST_VALUE (0, the default; those of
+   * the point with the smallest id, with a warning where they differ; texture coordinates that
+   * differ are left out), AVERAGE_VALUE (1; the mean of floating point numbers, with
+   * InterpolateIntegers of integers too) or KEEP_VALUES (2; all of them: coordinates are those of
+   * one point, and values jump). Values jump at seams as JoinSeams has them in
+   * vtkSurfaceSubdivision with a scheme that has these, in other filters, as with InterfaceValues,
+   * between parts of the mesh which are connected by points of equal values. With JoinSeams texture
+   * coordinates are kept in any case. Without MergePoints no effect; on several ranks KEEP_VALUES
+   * needs seams.
+   */
+  vtkSetClampMacro(MergedValues, int, FIRST_VALUE, KEEP_VALUES);
+  vtkGetMacro(MergedValues, int);
+  void SetMergedValuesToFirst() { this->SetMergedValues(FIRST_VALUE); }
+  void SetMergedValuesToAverage() { this->SetMergedValues(AVERAGE_VALUE); }
+  void SetMergedValuesToKeep() { this->SetMergedValues(KEEP_VALUES); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether cells are cut where points of others lie inside their edges and faces (hanging nodes,
+   * as adaptive meshes, quadtrees and octrees have, and meshes of two sizes beside each other), so
+   * that cells fit: a line gets the points on it, a polygon those on its edges, and a solid becomes
+   * a polyhedron that has the faces of its neighbours. The distance of such a point may be 1e-5 of
+   * the edge. A warning counts cells that cannot be cut so: strips, non-linear cells, and those
+   * whose faces no others cover whole. On several ranks, cells fit if those that touch share a
+   * point. Off by default: a warning counts the points that hang, and names the first cell.
+   */
+  vtkSetMacro(CloseHangingNodes, bool);
+  vtkGetMacro(CloseHangingNodes, bool);
+  vtkBooleanMacro(CloseHangingNodes, bool);
   ///@}
 
   ///@{
@@ -479,6 +533,10 @@ protected:
   virtual bool CanInterpolate() const { return false; }
   /// Whether it keeps interfaces between materials, at which values may jump.
   virtual bool HasInterfaces() const { return false; }
+  /// Whether it keeps values at points of equal coordinates (MergedValues) by seams, and whether
+  /// those of texture coordinates are seams in any case.
+  virtual bool HasSeams() const { return false; }
+  virtual bool JoinsSeams() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
   /// Whether an execution is for its output, and not for an operator.
@@ -556,10 +614,17 @@ protected:
   int Type3Rule = TYPE3_BLEND;
   int QuadraticCells = CORNERS;
   bool MergePoints = false;
+  double MergeTolerance = 0.;
+  int MergedValues = FIRST_VALUE;
+  bool CloseHangingNodes = false;
   bool JoinBlocks = true;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
+  /// Whether copies of points keep values that MergePoints finds.
+  bool KeepsCopies() const;
+  vtkSmartPointer<vtkDataObject> MergeIn(
+    vtkDataObject* readable, std::vector<std::string>& warnings);
   /// Reads InterpolatePoints and the other options of it.
   void ReadInterpolation(
     subdivision::RunOptions& options, std::vector<std::string>& warnings) const;

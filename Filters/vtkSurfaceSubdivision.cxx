@@ -157,6 +157,7 @@ int vtkSurfaceSubdivision::RequestData(
   options.GenerateTangents = this->GenerateTangents;
   options.Use32BitIds = this->Use32BitIds;
   options.JoinSeams = this->JoinSeams;
+  options.KeepsMerged = this->MergePoints && this->MergedValues == KEEP_VALUES;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
   const bool addsBounds =
     this->GenerateErrorBounds && this->HasOutput() && !this->Places && !writesBezierCells;

@@ -364,8 +364,9 @@ public:
    * coordinates (the active ones of the point data). At seams of a texture a vtkPolyData has points
    * several times, once for each side. The points then follow the joined surface, which stays
    * smooth and closed across seams; texture coordinates, and all other arrays, treat a seam as a
-   * boundary, which is sharp. On by default; for LOOP, MODIFIED_BUTTERFLY and CATMULL_CLARK.
-   * Filters in a row are then filters of their own.
+   * boundary, which is sharp. On by default; for LOOP, MODIFIED_BUTTERFLY, CATMULL_CLARK and
+   * LINEAR. With the other schemes a warning of points at one place names these. Filters in a row
+   * are then filters of their own.
    */
   vtkSetMacro(JoinSeams, bool);
   vtkGetMacro(JoinSeams, bool);
@@ -464,6 +465,11 @@ protected:
   {
     return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;
   }
+  bool HasSeams() const override
+  {
+    return this->HasInterfaces() && this->Scheme != FOUR_EIGHT && this->Scheme != SQRT_THREE;
+  }
+  bool JoinsSeams() const override { return this->JoinSeams; }
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;

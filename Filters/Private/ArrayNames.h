@@ -38,6 +38,8 @@ constexpr const char* FailingName = "Failing";
 constexpr const char* LimitTangentNames[2] = { "LimitTangent1", "LimitTangent2" };
 /// The point array that says which points are the same one (MaterialFields.h).
 constexpr const char* MaterialPointIdsName = "MaterialPointIds";
+/// The cell array of parts between which values jump, because MergePoints kept them.
+constexpr const char* MergedPartsName = "SubdivisionMergedParts";
 /// The cell array of the colour of each cell's material, and how names of the point arrays begin
 /// that have the values of one colour: both are there during the work only.
 constexpr const char* ColourName = "SubdivisionColour";

@@ -81,7 +81,8 @@ class Option:
             return self.set(made, next(end for end in self.ends(type(made)) if end != value[0]))
         high = self.ends(type(made))[1] if self.clamp else None
         if high is not None and value[0] + 1 > high:
-            return self.set(made, *(type(part)(self.ends(type(made))[0]) for part in value))
+            ends = self.ends(type(made))
+            return self.set(made, *(type(part)(next(end for end in ends if end != part)) for part in value))
         return self.set(made, *(part + 1 for part in value))
 
 

@@ -131,12 +131,13 @@ void AdaptiveRun<Id>::ReadControl()
     { FindDerivedEdges(this->Control.Mesh, this->Cells.FaceCells, points, this->Options.Features),
       {} },
     creases);
-  const std::string coincident = this->Options.Features.MergesPoints
-    ? ""
-    : DescribeCoincidentOfSurface(this->Control.Mesh, points);
-  if (!coincident.empty())
+  const FeatureOptions& features = this->Options.Features;
+  OpenPointOptions open{ features.MergesPoints, features.ClosesNodes, features.JoiningCure, {} };
+  open.FindCell = [this](int dimension, vtkIdType index)
+  { return dimension == 2 ? this->Cells.FaceCells[static_cast<std::size_t>(index)] : -1; };
+  for (const std::string& warning : DescribeOpenPointsOfSurface(this->Control.Mesh, points, open))
   {
-    this->Options.Warn(coincident);
+    this->Options.Warn(warning);
   }
   this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
   this->Scheme->RestrictTags(this->Control);

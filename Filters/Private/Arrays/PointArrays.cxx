@@ -182,7 +182,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
     entry.IsNormals = array == data->GetNormals();
     entry.AreIds = array == data->GetGlobalIds() || array == data->GetPedigreeIds();
     const bool isMade = !entry.IsNormals && !entry.AreIds;
-    if (isMade && this->IsSmoothed(array))
+    if (isMade && IsSmoothed(array, options.InterpolateIntegers))
     {
       entry.Current = StartValues(vtkDataArray::SafeDownCast(array), array->GetDataType(), cells);
     }
@@ -192,7 +192,7 @@ PointArrays::PointArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   this->StartOrigins();
 }
 
-bool PointArrays::IsSmoothed(vtkAbstractArray* array) const
+bool IsSmoothed(vtkAbstractArray* array, bool interpolateIntegers)
 {
   if (!vtkDataArray::SafeDownCast(array) || array->GetNumberOfComponents() < 1)
   {
@@ -206,10 +206,10 @@ bool PointArrays::IsSmoothed(vtkAbstractArray* array) const
     case VTK_BIT:
       return false;
     case VTK_UNSIGNED_CHAR:
-      return this->Options.InterpolateIntegers || array->GetNumberOfComponents() == 3 ||
+      return interpolateIntegers || array->GetNumberOfComponents() == 3 ||
         array->GetNumberOfComponents() == 4;
     default:
-      return this->Options.InterpolateIntegers;
+      return interpolateIntegers;
   }
 }
 

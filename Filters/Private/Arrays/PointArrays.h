@@ -48,6 +48,9 @@ struct PointArrayOptions
   void ChooseOriginalIds(vtkPointSet* input, bool areWanted, bool isContinued);
 };
 
+/// Whether new points get a mean of its values.
+bool IsSmoothed(vtkAbstractArray* array, bool interpolateIntegers);
+
 /// Which values become control values whose limits are the given ones.
 struct InterpolationOptions
 {
@@ -200,7 +203,6 @@ private:
     Buffer<double> Given = {};
   };
 
-  bool IsSmoothed(vtkAbstractArray* array) const;
   bool HasWeights(const Entry& entry) const
   {
     return this->Options.HasMaterialFields && entry.Current && IsWeighted(entry.Current->GetName());

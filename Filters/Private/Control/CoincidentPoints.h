@@ -1,25 +1,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CoincidentPoints.h
- * Points at the same place, which many files and sources have where parts touch.
+ * Points at the same place, or nearly, which many files and sources have where parts touch.
  */
 #ifndef SubdivisionObjects_CoincidentPoints_h
 #define SubdivisionObjects_CoincidentPoints_h
 
+#include "Private/Control/MergedValues.h"
+#include "Private/Control/RunOptions.h"
+
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
 class vtkDataObject;
+class vtkPointSet;
 
 namespace subdivision
 {
 
+/// The point array that flags points which were merged with others.
+constexpr const char* MergedPointsName = "SubdivisionMergedPoints";
+
+struct MergeOptions
+{
+  double Tolerance = 0.; ///< a part of the diagonal of the box of all points
+  MergedValues Values = MergedValues::First;
+  bool InterpolateIntegers = false;
+  bool JoinsBlocks = true;
+  /// Whether the filter can join points of equal coordinates itself (SurfaceSeams.h), so that
+  /// points of different values may stay apart; and whether those of texture coordinates do in any
+  /// case.
+  bool HasSeams = false;
+  bool KeepsTexture = false;
+  /// Whether values are kept as copies of points between which they jump (MaterialFields.h).
+  bool HasCopies = false;
+};
+
 /**
  * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points:
- * of points with equal coordinates all cells have the one with the smallest global id (its index,
- * where there are none). The others stay, unused, so that ids stay. Polyhedra that have two points
- * at one place keep their points. Returns the input where nothing changes.
+ * of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
+ * global id (its index, where there are none). With a tolerance the points of all blocks get the
+ * least coordinates of their group. Points without cells take no part. The others stay until
+ * RemoveMergedPoints, so that ids stay. Polyhedra that have two points at one place keep them.
+ *
+ * With MergedValues::Keep points of different values stay points of their own: of HasSeams as they
+ * are; of HasCopies as copies, of which MaterialPointIds tells, and the cell array MergedPartsName
+ * says which cells are connected by equal values. KeepsTexture: so do points of different
+ * texture coordinates, whatever Values is. Warnings tell of values that are replaced, and of cells
+ * that collapse. Returns the input where nothing changes.
  */
-vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(vtkDataObject* readable);
+vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(
+  vtkDataObject* readable, const MergeOptions& options, std::vector<std::string>& warnings);
+
+/// For a block, by its flat index: the point of the input that each point of what remains is.
+using PointSources = std::map<unsigned int, std::vector<vtkIdType>>;
+
+/// Removes the points that were merged with others; `change(mesh, copy)` may add arrays to a copy
+/// while it has the points of the mesh. `warn` is told of arrays that do not fit.
+vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
+  const std::function<void(vtkPointSet*, vtkPointSet*)>& change,
+  const std::function<void(const std::string&)>& warn, PointSources& sources);
+
+/// Begins an operator, if there is one, on the points of a mesh with the choice of those that
+/// remain.
+void AppendSources(const PointSources& sources, vtkDataObject* mesh, MatrixFactors* factors);
+
+/// Makes original ids of points in an output those of the points before any was removed.
+void RestoreOriginalPoints(vtkDataObject* output, const PointSources& sources);
 
 }
 

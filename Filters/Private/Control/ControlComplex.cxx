@@ -262,11 +262,24 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
 }
 
 template <typename Id>
-void WarnOfCoincident(const FeatureOptions& features, const SimplicialComplex<Id>& complex,
-  const Coordinates& points, const WarnFunction& warn)
+void WarnOfOpenPoints(const ControlMesh& mesh, const FeatureOptions& features,
+  const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, const Coordinates& points,
+  const WarnFunction& warn)
 {
-  const std::string warning = features.MergesPoints ? "" : DescribeCoincident(complex, points);
-  if (!warning.empty())
+  OpenPointOptions options{ features.MergesPoints, features.ClosesNodes, features.JoiningCure, {} };
+  options.FindCell = [&](int dimension, vtkIdType index)
+  {
+    vtkIdType simplex = -1;
+    for (const CellRun& run : runs)
+    {
+      const bool isIn = run.Dimension == dimension && !run.Equal && index >= run.First &&
+        index < run.First + run.Count;
+      simplex = isIn ? run.FirstCell + index - run.First : simplex;
+    }
+    return simplex < 0 || mesh.Cells.ParentCells.empty() ? simplex
+                                                         : mesh.Cells.ParentCells[simplex];
+  };
+  for (const std::string& warning : DescribeOpenPoints(complex, points, options))
   {
     warn(warning);
   }
@@ -294,7 +307,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   if (!mesh.IsStamped)
   {
     WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
-    WarnOfCoincident(features, complex, points, warn);
+    WarnOfOpenPoints(mesh, features, complex, control.Runs, points, warn);
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
   control.Sharpness = FindSharpness(mesh.Values, complex, control.Runs);

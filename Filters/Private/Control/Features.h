@@ -43,6 +43,8 @@ struct FeatureOptions
   JointRule Type2 = JointRule::Blend;
   JointRule Type3 = JointRule::Blend;
   bool MergesPoints = false; ///< no warning tells of points at one place
+  bool ClosesNodes = false;  ///< no warning tells of points that hang
+  std::string JoiningCure;   ///< OpenPointOptions::Cure
   /// Cell arrays of the input, null where there is none. Their length and type were checked.
   vtkSmartPointer<vtkDataArray> Singular;
   vtkSmartPointer<vtkDataArray> Material;

@@ -381,6 +381,7 @@ public:
     }
     this->Output->GetPointData()->AddArray(ids);
     this->Output->GetCellData()->RemoveArray(ColourName);
+    this->Output->GetCellData()->RemoveArray(MergedPartsName);
   }
 
 private:
@@ -526,8 +527,12 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   }
   vtkSmartPointer<vtkPointSet> mesh;
   {
-    Control control(
-      input, blocks ? blocks : options.Features.Material, FindPartners(options, input));
+    vtkDataArray* const parts = input->GetCellData()->GetArray(MergedPartsName);
+    Control control(input,
+      fields.OfMergedParts ? parts
+        : blocks           ? blocks.Get()
+                           : options.Features.Material.Get(),
+      FindPartners(options, input));
     const bool areTooMany = control.GetNumberOfColours() > MaximumNumberOfColours;
     if (areTooMany && !fields.IsOn)
     {
@@ -537,9 +542,10 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
     }
     else if (areTooMany)
     {
-      options.Fail("InterfaceValues: more than " + std::to_string(MaximumNumberOfColours) +
-        " materials meet in one another, " + std::to_string(control.GetNumberOfColours()) +
-        " fields would be needed. Use fewer materials, or continuous values.");
+      options.Fail(std::string(fields.OfMergedParts ? "MergedValues" : "InterfaceValues") +
+        ": more than " + std::to_string(MaximumNumberOfColours) + " materials or parts meet, and " +
+        std::to_string(control.GetNumberOfColours()) +
+        " fields would be needed. Use fewer of them, or values that do not jump.");
       return false;
     }
     isOn = !areTooMany;

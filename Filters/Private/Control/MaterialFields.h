@@ -37,6 +37,7 @@ struct MaterialFieldOptions
   /// Cell arrays of these names become fields too: the value at a point is the mean of the cells of
   /// a material around it.
   std::vector<std::string> CellArrays;
+  bool OfMergedParts = false; ///< materials are the values of the cell array MergedPartsName
 };
 
 /**

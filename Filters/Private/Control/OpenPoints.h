@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OpenPoints.h
- * Warns where cells have points of their own at one place: they come apart there, although most
- * users meant them to be joined.
+ * Warns where cells come apart although most users meant them to be joined: they have points of
+ * their own at one place, or nearly, or a point of one lies inside an edge or a face of another.
  */
 #ifndef SubdivisionObjects_OpenPoints_h
 #define SubdivisionObjects_OpenPoints_h
@@ -11,27 +11,40 @@
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace subdivision
 {
 
+struct OpenPointOptions
+{
+  bool MergesPoints = false; ///< nothing is said of points at one place
+  bool ClosesNodes = false;  ///< nor of those that hang
+  /// What to do where points are at one place, as the end of a text; empty: MergePoints.
+  std::string Cure;
+  /// The input cell of a simplex: a tetrahedron (3), a face (2) or an edge (1) of the complex.
+  std::function<vtkIdType(int, vtkIdType)> FindCell;
+};
+
 /**
- * A warning that counts points with equal coordinates, names two of them, and tells what helps.
- * Empty if no cells would be joined if they shared these points: parts that touch at a point only,
- * and cells without a size, are no reason to warn.
+ * Warnings: one counts points that are at most 1e-6 of the diagonal of all apart, names two of
+ * them, and tells what helps; another one those that hang (FlatPart.h) so that an edge lies along
+ * the edge or face of another cell, and names the first of these cells. None if no cells would be
+ * joined: parts that touch at a point only, and cells without a size, are no reason to warn.
  *
  * Only open parts of the border can be joined: faces of one tetrahedron, edges of one triangle,
  * ends of lines; beside tetrahedra, all triangles and lines that are no part of them. Others, most
- * of a solid, need no search. Takes a step for each face or edge, and a few for each open point,
- * whose coordinates are hashed; 16 to 32 bytes for each of these.
+ * of a solid, need no search. Takes a step for each face or edge, and n log n for n open points;
+ * some 100 bytes for each of these.
  */
 template <typename Id>
-std::string DescribeCoincident(
-  const SimplicialComplex<Id>& complex, const Coordinates& coordinates);
+std::vector<std::string> DescribeOpenPoints(const SimplicialComplex<Id>& complex,
+  const Coordinates& coordinates, const OpenPointOptions& options);
 template <typename Id>
-std::string DescribeCoincidentOfSurface(
-  const PolygonMesh<Id>& mesh, const Coordinates& coordinates);
+std::vector<std::string> DescribeOpenPointsOfSurface(
+  const PolygonMesh<Id>& mesh, const Coordinates& coordinates, const OpenPointOptions& options);
 
 }
 

@@ -143,6 +143,10 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       {
         KeepOwnValues(run.Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
       }
+      if (run.Distribution.Change)
+      {
+        joined.Mesh = run.Distribution.Change(joined.Mesh);
+      }
       const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
       if (rounds)
@@ -316,7 +320,8 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   const FilterWork workOnAll = [&](vtkPointSet* mesh, vtkPointSet* made)
   {
-    const bool done = work(mesh, made);
+    const bool done =
+      distribution.Change ? work(distribution.Change(mesh), made) : work(mesh, made);
     if (done && options.GenerateGlobalIds)
     {
       AddGlobalIds(made);

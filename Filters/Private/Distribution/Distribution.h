@@ -56,6 +56,9 @@ struct DistributionOptions
   std::vector<std::string> Warnings;
   /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.
   std::function<void(vtkPointSet*, vtkPointSet*)> Prepare;
+  /// Changes cells of a mesh, of one block or of several that are joined, before the work; empty:
+  /// nothing.
+  std::function<vtkSmartPointer<vtkPointSet>(vtkPointSet*)> Change;
 };
 
 /// Gives the pipeline the data object for the output: a composite data set of the class of the

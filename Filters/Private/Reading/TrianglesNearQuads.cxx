@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Reading/TrianglesNearQuads.h"
 
-#include "Private/Reading/NonLinearCells.h"
-#include "Private/Reading/PolyhedronFaces.h"
-#include "Private/Reading/SolidCells.h"
+#include "Private/Reading/CellFaces.h"
+#include "Private/Reading/FlatPart.h"
 
 #include "vtkCellType.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,108 +17,6 @@ namespace subdivision
 
 namespace
 {
-
-/// Calls `visit(loop, size)` for the triangles and quads of cells and of the pieces of cells. Each
-/// task needs an object of its own.
-class Faces
-{
-public:
-  Faces(vtkPointSet* input, const CellReader& cells)
-    : Cells(cells)
-    , NonLinear(input)
-  {
-  }
-
-  template <typename Visit>
-  void ForEach(vtkIdType cellId, const CellIds& cell, const Visit& visit)
-  {
-    const int type = this->Cells.GetCellType(cellId);
-    const auto visitLoop = [&visit](vtkIdType* ids, vtkIdType count)
-    {
-      const vtkIdType size = CollapseLoop(ids, count);
-      if (size == 3 || (size == 4 && !IsFolded(ids)))
-      {
-        visit(ids, size);
-      }
-    };
-    if (IsPolyhedron(type))
-    {
-      ForEachFaceLoop(type, cell, this->Scratch, visitLoop);
-    }
-    else if (this->IsLinear(type))
-    {
-      this->VisitLinear(type, cell, visitLoop);
-    }
-    else
-    {
-      this->VisitPieces(*this->NonLinear.Find(type, cellId, cell.Size), cell, visitLoop);
-    }
-  }
-
-private:
-  static bool IsLinear(int type) { return type <= VTK_HEXAGONAL_PRISM; }
-
-  template <typename Visit>
-  void VisitLinear(int type, const CellIds& cell, const Visit& visit)
-  {
-    vtkIdType loop[4];
-    if (const FaceTable* table = GetFaceTable(type))
-    {
-      for (int face = 0; face < table->NumberOfFaces; ++face)
-      {
-        const int* local = table->Faces[face];
-        const int corners = local[3] < 0 ? 3 : 4;
-        for (int i = 0; i < corners; ++i)
-        {
-          loop[i] = cell.Ids[local[i]];
-        }
-        visit(loop, corners);
-      }
-    }
-    else if (type == VTK_PIXEL || type == VTK_QUAD)
-    {
-      GetQuad(type, cell.Ids, loop);
-      visit(loop, 4);
-    }
-    else if (type == VTK_TRIANGLE_STRIP)
-    {
-      for (vtkIdType i = 0; i + 2 < cell.Size; ++i)
-      {
-        GetStripTriangle(cell.Ids, i, loop);
-        visit(loop, 3);
-      }
-    }
-    else if (type == VTK_TRIANGLE || type == VTK_POLYGON)
-    {
-      this->Scratch.assign(cell.Ids, cell.Ids + cell.Size);
-      visit(this->Scratch.data(), cell.Size);
-    }
-  }
-
-  template <typename Visit>
-  void VisitPieces(const CellPieces& table, const CellIds& cell, const Visit& visit)
-  {
-    ForEachPiece(table, cell,
-      [&](int type, const CellIds& piece)
-      {
-        if (type != CellPiece::Octahedron)
-        {
-          this->VisitLinear(type, piece, visit);
-          return;
-        }
-        for (int face = 0; face < 8; ++face)
-        {
-          vtkIdType loop[3] = { piece.Ids[face & 1], piece.Ids[2 + ((face >> 1) & 1)],
-            piece.Ids[4 + (face >> 2)] };
-          visit(loop, 3);
-        }
-      });
-  }
-
-  const CellReader& Cells;
-  NonLinearCells NonLinear;
-  std::vector<vtkIdType> Scratch;
-};
 
 /// Cell types that never have a quad, so that most cells are skipped without a look at their
 /// points.
@@ -139,7 +37,7 @@ void MarkQuadPoints(
     [&](vtkIdType, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;
-      Faces faces(input, cells);
+      CellFaces faces(input, cells);
       for (vtkIdType cellId = begin; cellId < end; ++cellId)
       {
         const int type = cells.GetCellType(cellId);
@@ -157,6 +55,31 @@ void MarkQuadPoints(
           });
       }
     });
+}
+
+/// Cells that may have a point in the middle of an edge, as CloseHangingNodes makes them.
+bool IsOfLoops(int cellType)
+{
+  return cellType == FaceLoops || cellType == VTK_POLYGON;
+}
+
+/// The corner of a quad that lies on the line between its neighbours; -1: there is none.
+int FindStraightCorner(vtkPoints* points, const vtkIdType* quad)
+{
+  double x[4][3];
+  for (int i = 0; i < 4; ++i)
+  {
+    points->GetPoint(quad[i], x[i]);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    const double* ends[2] = { x[(i + 3) % 4], x[(i + 1) % 4] };
+    if (FlatPart(ends, 2).Find(x[i]) == FlatPart::Inside)
+    {
+      return i;
+    }
+  }
+  return -1;
 }
 
 }
@@ -197,7 +120,7 @@ std::vector<TriangleKey> FindTrianglesNearQuads(
     [&](vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::vector<vtkIdType> ids;
-      Faces faces(input, cells);
+      CellFaces faces(input, cells);
       for (vtkIdType cellId = begin; cellId < end; ++cellId)
       {
         if (!TakesPart(checked.States[cellId]))
@@ -215,6 +138,14 @@ std::vector<TriangleKey> FindTrianglesNearQuads(
             if (size == 3 && marked(loop[0]) && marked(loop[1]) && marked(loop[2]))
             {
               found[block].push_back(MakeTriangleKey(loop[0], loop[1], loop[2]));
+            }
+            const int tip = size == 4 && IsOfLoops(cells.GetCellType(cellId))
+              ? FindStraightCorner(input->GetPoints(), loop)
+              : -1;
+            if (tip >= 0) // the other diagonal would make a triangle without a size
+            {
+              found[block].push_back(
+                MakeTriangleKey(loop[tip], loop[(tip + 1) % 4], loop[(tip + 2) % 4]));
             }
           });
       }

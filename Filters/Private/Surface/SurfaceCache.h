@@ -55,7 +55,7 @@ struct KeptSurface
   virtual std::size_t GetMemorySize() const = 0;
 
   SurfaceKey Key;
-  std::string Warning;                 ///< of points at one place
+  std::vector<std::string> Warnings;   ///< of open points
   vtkSmartPointer<vtkCellArray> Verts; ///< the cells of the output, once they are written
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkCellArray> Polys;

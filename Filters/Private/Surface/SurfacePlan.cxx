@@ -137,13 +137,37 @@ KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
       { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
 }
 
-/// A warning of points at one place; empty where seams join them.
+/// The warnings of cells that come apart, in a level that is not joined by seams.
 template <typename Id>
-std::string SurfaceRun<Id>::DescribeCoincident(const PolygonMesh<Id>& mesh)
+std::vector<std::string> SurfaceRun<Id>::DescribeOpen(
+  const SurfaceCells& cells, const SurfaceLevel<Id>& level)
 {
-  const bool isTold =
-    this->MadeLevels == 0 && !this->Joined && !this->Options.Features.MergesPoints;
-  return isTold ? DescribeCoincidentOfSurface(mesh, this->Points->GetCoordinates()) : std::string();
+  if (this->MadeLevels > 0 || this->Joined)
+  {
+    return {};
+  }
+  const FeatureOptions& features = this->Options.Features;
+  OpenPointOptions options{ features.MergesPoints, features.ClosesNodes, "", {} };
+  if (!features.JoiningCure.empty())
+  {
+    options.Cure = std::string(this->Scheme->HalvesEdges()
+                       ? "switch JoinSeams on"
+                       : "use a scheme that has JoinSeams: Loop, ModifiedButterfly, CatmullClark "
+                         "or Linear") +
+      ", which keeps the texture coordinates of both sides. MergePoints leaves them out.";
+  }
+  options.FindCell = [&](int dimension, vtkIdType index)
+  {
+    for (std::size_t i = 0; dimension == 1 && i < cells.SegmentCells.size(); ++i)
+    {
+      if (level.Lines[static_cast<vtkIdType>(i)] / 2 == index)
+      {
+        return cells.SegmentCells[i];
+      }
+    }
+    return dimension == 2 ? cells.FaceCells[static_cast<std::size_t>(index)] : vtkIdType(-1);
+  };
+  return DescribeOpenPointsOfSurface(level.Mesh, this->Points->GetCoordinates(), options);
 }
 
 /// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
@@ -174,11 +198,8 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   }
   SurfaceTags<Id> tags = this->Classify(first, creases.Features);
   this->ControlSectors = tags.Sectors;
-  const std::string coincident = kept ? kept->Warning : this->DescribeCoincident(first.Mesh);
-  if (!coincident.empty())
-  {
-    this->Warnings.push_back(coincident);
-  }
+  const std::vector<std::string> open = kept ? kept->Warnings : this->DescribeOpen(control, first);
+  this->Warnings.insert(this->Warnings.end(), open.begin(), open.end());
   SurfaceSteps<Id>* steps = nullptr;
   if (kept && kept->Steps->ReplaceSectors(tags))
   {
@@ -207,7 +228,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     {
       auto keep = std::make_unique<KeptSurfaceOf<Id>>();
       keep->Key = std::move(key);
-      keep->Warning = coincident;
+      keep->Warnings = open;
       keep->Steps = std::move(own);
       kept = keep.get();
       this->Options.Cache->Add(std::move(keep));

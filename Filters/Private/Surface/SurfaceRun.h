@@ -159,8 +159,9 @@ private:
   SurfaceCreases ReadCreases(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   bool FindSeams()
   {
-    return this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords() &&
-      this->Scheme->HalvesEdges() &&
+    const bool areWanted = this->Options.KeepsMerged ||
+      (this->Options.JoinSeams && this->Input->GetPointData()->GetTCoords());
+    return areWanted && this->Scheme->HalvesEdges() &&
       JoinEqualPoints(this->Cells, this->Points->GetCoordinates(), this->JoinedMesh);
   }
   /// Hands out an operator of the points as matrices, if somebody wants them.
@@ -174,7 +175,7 @@ private:
   vtkSmartPointer<vtkDataArray> FollowPoints(const Buffer<unsigned char>& turned);
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
-  std::string DescribeCoincident(const PolygonMesh<Id>& mesh);
+  std::vector<std::string> DescribeOpen(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   bool Execute();
   bool ForgetsLevels() const;

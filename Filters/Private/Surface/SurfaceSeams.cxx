@@ -2,44 +2,20 @@
 #include "Private/Surface/SurfaceSeams.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Memory/Sorting.h"
+#include "Private/Reading/NearPoints.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace subdivision
 {
-namespace
-{
-
-/// For each point the first one, by id, with the same coordinates.
-std::vector<vtkIdType> FindFirstPoints(vtkIdType size, const double* x)
-{
-  std::vector<vtkIdType> firsts(size);
-  std::iota(firsts.begin(), firsts.end(), vtkIdType(0));
-  std::vector<vtkIdType> order = firsts;
-  auto isBefore = [x](vtkIdType a, vtkIdType b)
-  { return std::lexicographical_compare(x + 3 * a, x + 3 * a + 3, x + 3 * b, x + 3 * b + 3); };
-  auto isBad = [x](vtkIdType p)
-  { return !std::all_of(x + 3 * p, x + 3 * p + 3, [](double v) { return std::isfinite(v); }); };
-  order.erase(std::remove_if(order.begin(), order.end(), isBad), order.end());
-  StableSort(order, isBefore);
-  for (std::size_t i = 1; i < order.size(); ++i)
-  {
-    if (!isBefore(order[i - 1], order[i]))
-    {
-      firsts[order[i]] = firsts[order[i - 1]];
-    }
-  }
-  return firsts;
-}
-
-}
 
 bool JoinEqualPoints(const SurfaceCells& cells, const double* points, JoinedSurface& joined)
 {
-  joined.FirstPoints = FindFirstPoints(cells.NumberOfPoints, points);
+  std::vector<vtkIdType> all(static_cast<std::size_t>(cells.NumberOfPoints));
+  std::iota(all.begin(), all.end(), vtkIdType(0));
+  const Buffer<vtkIdType> found = FindFirstOfNear(points, all, 0., PointOrder{});
+  joined.FirstPoints.assign(found.begin(), found.end());
   std::vector<vtkIdType>& firsts = joined.FirstPoints;
   // Points of one face stay apart, so that it keeps its corners.
   auto separate = [&firsts](const vtkIdType* ids, vtkIdType size)

@@ -26,6 +26,7 @@ struct SurfaceOptions : RunOptions
   bool GenerateTangents = false;
   bool Use32BitIds = false;
   bool JoinSeams = true;
+  bool KeepsMerged = false; ///< seams of any values are joined, too
   /// Point arrays of the input, null where there is none: angles in degrees, flatness s.
   vtkSmartPointer<vtkDataArray> Angles;
   vtkSmartPointer<vtkDataArray> Flatness;

@@ -105,6 +105,39 @@ Case AddToCells(
   };
 }
 
+/// The tetrahedra have points of their own, so far apart.
+void PartAt(Trial& trial, double distance)
+{
+  const double z = 1. + distance;
+  trial.Points.insert(trial.Points.end(), { { z, 0, 0 }, { 0, z, 0 }, { 0, 0, z } });
+  trial.Cells[1].Points = { 5, 6, 7, 4 };
+}
+
+/// Points that become one have the values 0 and 1.
+void MergeValues(Trial& trial, int rule)
+{
+  PartAt(trial, 0.);
+  trial.Change = [](vtkUnstructuredGrid* grid)
+  {
+    const auto values = MakeFilled<vtkDoubleArray>("values", 8, 0.);
+    std::fill(values->GetPointer(4), values->GetPointer(4) + 4, 1.);
+    grid->GetPointData()->AddArray(values);
+  };
+  trial.Set = [rule](Filter* filter)
+  {
+    filter->MergePointsOn();
+    filter->SetMergedValues(rule);
+  };
+}
+
+/// Triangles beside one another, of which one has a point in the middle of the edge.
+void AddHanging(Trial& trial)
+{
+  trial.Points = { { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 1, -1, 0 } };
+  trial.Cells = { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 3, 0, 4 } },
+    { VTK_TRIANGLE, { 1, 3, 4 } } };
+}
+
 Case With(const Configure& set)
 {
   return [set](Trial& trial) { trial.Set = set; };
@@ -253,6 +286,27 @@ const std::map<std::string, Case>& GetCases()
       {
         GetCases().at("coincident-points")(trial);
         trial.Set = [](Filter* filter) { filter->MergePointsOn(); };
+      } },
+    { "near-points", [](Trial& trial) { PartAt(trial, 1e-8); } },
+    { "near-merged",
+      [](Trial& trial)
+      {
+        PartAt(trial, 1e-8);
+        trial.Set = [](Filter* filter)
+        {
+          filter->MergePointsOn();
+          filter->SetMergeTolerance(1e-6);
+        };
+      } },
+    { "merged-values", [](Trial& trial) { MergeValues(trial, Filter::FIRST_VALUE); } },
+    { "merged-average", [](Trial& trial) { MergeValues(trial, Filter::AVERAGE_VALUE); } },
+    { "merged-kept", [](Trial& trial) { MergeValues(trial, Filter::KEEP_VALUES); } },
+    { "hanging-node", [](Trial& trial) { AddHanging(trial); } },
+    { "hanging-closed",
+      [](Trial& trial)
+      {
+        AddHanging(trial);
+        trial.Set = [](Filter* filter) { filter->CloseHangingNodesOn(); };
       } },
     { "unused-points", [](Trial& trial) { trial.Points.resize(1000, { 5, 5, 5 }); } },
     // Arrays
@@ -623,8 +677,8 @@ TEST(InputContract, RedGreenRefinementSaysTheSame)
 {
   // It splits cells of parts that only touch as they are, so that they stay together; and what it
   // says of copies of other ranks' cells is its own. It takes values of edges only.
-  const std::vector<std::string> others = { "coincident-points", "duplicate-ghost", "value-missing",
-    "value-masked" };
+  const std::vector<std::string> others = { "coincident-points", "near-points", "hanging-node",
+    "duplicate-ghost", "value-missing", "value-masked" };
   int same = 0;
   for (const auto& one : GetCases())
   {

@@ -39,7 +39,8 @@ std::vector<std::string> Tell(
     filter->Update();
   }
   EXPECT_TRUE(messages->Errors.empty());
-  EXPECT_EQ(messages->CountWarnings("at the place of another"),
+  EXPECT_EQ(messages->CountWarnings("at the place of another") +
+      messages->CountWarnings("the size of the mesh from another"),
     static_cast<int>(messages->Warnings.size()));
   return messages->Warnings;
 }
@@ -146,6 +147,46 @@ TEST(CoincidentPoints, CracksWithDoubledPointsAreTold)
     "1 point where cells end is at the place of another (for instance points 2 and 6)"));
 }
 
+TEST(CoincidentPoints, PointsThatAreNearAreToldWithATolerance)
+{
+  std::vector<Point> near = Places;
+  near[4][2] = near[5][2] = near[6][2] = 1e-8;
+  const std::vector<Cell> cells = { Tet, { VTK_TETRA, { 5, 4, 6, 7 } } };
+  for (const bool merges : { false, true })
+  {
+    vtkNew<Messages> messages;
+    Execute(
+      MakeGrid(near, cells), 1, [&](Filter* filter) { filter->SetMergePoints(merges); }, messages);
+    EXPECT_TRUE(Has(messages->Warnings,
+      "3 points where cells end are not farther than 1e-06 times "
+      "the size of the mesh from another (for instance points 0 "
+      "and 4, 1e-08 apart)"));
+    EXPECT_TRUE(Has(messages->Warnings, "switch MergePoints on with MergeTolerance = 1e-06"));
+  }
+  const Configure merge = [](Filter* filter)
+  {
+    filter->MergePointsOn();
+    filter->SetMergeTolerance(1e-6);
+  };
+  EXPECT_TRUE(Tell<Filter>(MakeGrid(near, cells), merge).empty());
+  near[4][2] = near[5][2] = near[6][2] = 1e-4;
+  EXPECT_TRUE(TellOf({ Tet, { VTK_TETRA, { 1, 0, 2, 7 } } }).empty());
+  EXPECT_TRUE(Tell(MakeGrid(near, cells)).empty());
+}
+
+TEST(CoincidentPoints, SchemesWithoutSeamsNameThoseThatHaveThem)
+{
+  for (const int scheme : { vtkSurfaceSubdivision::DOO_SABIN, vtkSurfaceSubdivision::MIDEDGE,
+         vtkSurfaceSubdivision::FOUR_EIGHT, vtkSurfaceSubdivision::SQRT_THREE })
+  {
+    const auto choose = [scheme](vtkSurfaceSubdivision* filter) { filter->SetScheme(scheme); };
+    EXPECT_TRUE(Has(Tell<vtkSurfaceSubdivision>(MakeSeam(true), choose),
+      "JoinSeams: Loop, ModifiedButterfly, CatmullClark or Linear"));
+    EXPECT_TRUE(Has(Tell<vtkSurfaceSubdivision>(MakeSeam(false), choose), "switch MergePoints on"));
+  }
+  EXPECT_TRUE(Has(Tell<Filter>(MakeSeam(true)), "use vtkSurfaceSubdivision, whose JoinSeams"));
+}
+
 TEST(CoincidentPoints, MergePointsLeavesNothingToSay)
 {
   const Grid grid = MakeGrid(Places, { Tet, { VTK_TETRA, { 5, 4, 6, 7 } } });
@@ -191,7 +232,7 @@ TEST(CoincidentPoints, SeamsOfATextureAreJoined)
 TEST(CoincidentPointsOfFiles, AreWhatTheyHave)
 {
   const std::pair<const char*, const char*> files[] = {
-    { "hostile_duplicate_points.vtu", "3670 points" },
+    { "hostile_duplicate_points.vtu", "4032 points" },
     { "nat_bunny_verts_dup_points.vtp", "370 points" },
     { "tet_gmsh_coil_crack.vtu", nullptr },
     { "nat_ogs_sphere_zero_volume.vtu", nullptr },

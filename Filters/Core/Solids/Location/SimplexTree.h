@@ -29,9 +29,9 @@ class SimplexTree
 {
 public:
   SimplexTree() = default;
-  /// `corners` ids for each simplex: 4, or 3 for triangles, lines and vertices, whose last corners
-  /// are repeated. Points and ids must outlive the tree, and points be finite where simplices use
-  /// them.
+  /// `corners` ids for each simplex: 4, 1 for points, or 3 for triangles, lines and vertices, whose
+  /// last corners are repeated. Points and ids must outlive the tree, and points be finite where
+  /// simplices use them.
   SimplexTree(const double* points, int corners, const Buffer<int>& ids);
 
   vtkIdType GetNumberOfSimplices() const { return this->Order.size(); }
@@ -41,8 +41,39 @@ public:
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
   /// The nearest place in one simplex. Returns the squared distance.
   double FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const;
+  /// Calls visit(simplex) for all simplices in boxes for which meets(box) holds, and for others
+  /// beside them.
+  template <typename Meets, typename Visit>
+  void ForEachWhere(const Meets& meets, const Visit& visit) const
+  {
+    if (!this->Levels.empty())
+    {
+      this->VisitWhere(this->Levels.size() - 1, 0, meets, visit);
+    }
+  }
 
 private:
+  template <typename Meets, typename Visit>
+  void VisitWhere(std::size_t level, vtkIdType node, const Meets& meets, const Visit& visit) const
+  {
+    if (!meets(this->Levels[level][node]))
+    {
+      return;
+    }
+    const vtkIdType below = level > 0 ? this->Levels[level - 1].size() : this->Order.size();
+    for (vtkIdType i = node * Width; i < std::min(below, (node + 1) * Width); ++i)
+    {
+      if (level > 0)
+      {
+        this->VisitWhere(level - 1, i, meets, visit);
+      }
+      else
+      {
+        visit(this->Order[i]);
+      }
+    }
+  }
+
   struct Nearest;
   void Sort(vtkIdType size);
   void MakeBoxes();
