@@ -32,9 +32,9 @@ bool HasSolids(vtkPointSet* input)
 {
   const CellReader cells(input);
   bool hasSolids = false;
-  for (vtkIdType c = 0; c < cells.GetNumberOfCells() && !hasSolids; ++c)
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
-    hasSolids = GetDimensionOfType(cells.GetCellType(c)) == 3;
+    hasSolids = hasSolids || GetDimensionOfType(cells.GetCellType(c)) == 3;
   }
   return hasSolids;
 }
