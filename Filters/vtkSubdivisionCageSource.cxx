@@ -250,8 +250,12 @@ int vtkSubdivisionCageSource::RequestData(
   const double margin = this->Margin / 100. * (longest > 0 ? longest : 1.);
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds[2 * axis] -= margin;
-    bounds[2 * axis + 1] += margin;
+    // The limit of the cage is up to 5/24 of a cell inside of it. With a quarter of a new cell on
+    // each side n cells are as long as the box and half a cell.
+    const double length = bounds[2 * axis + 1] - bounds[2 * axis] + 2. * margin;
+    const double shrinking = input ? length / (4. * this->NumberOfCells[axis] - 2.) : 0.;
+    bounds[2 * axis] -= margin + shrinking;
+    bounds[2 * axis + 1] += margin + shrinking;
   }
   const int type = this->OutputPointsPrecision == SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE;
   const std::string fault = FindFault(bounds,

@@ -9,7 +9,9 @@
  *
  * @par Input
  * Port 0, not required: any vtkDataSet or composite of these, also in parts on the ranks of the
- * Controller. The box is around all of it; Bounds are ignored then.
+ * Controller. The box is around all of it, and larger by a quarter of its cells on each side, as
+ * smoothing makes a cage smaller: all of the input is inside of the smoothed cage, too. Bounds are
+ * ignored then.
  *
  * @par Output
  * A vtkUnstructuredGrid of VTK_TETRA cells, without arrays. Each box is split into six tetrahedra
@@ -60,7 +62,7 @@ public:
   ///@{
   /**
    * By how much the box is larger on each side, in percent of its longest side, 0 or more;
-   * default 5.
+   * default 5. Around an input the smoothed cage is larger than that by so much.
    */
   vtkSetClampMacro(Margin, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(Margin, double);

@@ -633,7 +633,7 @@ bool FindOwnBlocks(Parts& parts, Exchange& exchange, const Warn& warn)
   {
     const BlockValues values(partition, true);
     own.emplace_back(values.Blocks.begin(), values.Blocks.end());
-    if (values.NumberOfPoints > 0)
+    if (warn && values.NumberOfPoints > 0) // where values jump anyway that is no news
     {
       warn("Blocks have different values at " + std::to_string(values.NumberOfPoints) +
         " points that they share: they differ " + values.Describe() +

@@ -240,7 +240,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   if (request.Targets)
   {
     this->Interpolate();
-    if (!this->FindNearest(request.Targets, parts, nearest, asked, missing))
+    if (this->IsStopped(0.5) || !this->FindNearest(request.Targets, parts, nearest, asked, missing))
     {
       return false;
     }

@@ -74,6 +74,19 @@ TEST(SubdivisionCageSource, FillsItsBox)
   EXPECT_EQ(outside, 2 * 2 * (3 * 1 + 3 * 4 + 1 * 4));
 }
 
+/// The box of a cage whose limit has these bounds inside: it has two cells along each axis, of which a
+/// quarter is beyond them on each side.
+std::array<double, 6> Enlarge(std::array<double, 6> bounds)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+    bounds[2 * axis] -= length / 6.;
+    bounds[2 * axis + 1] += length / 6.;
+  }
+  return bounds;
+}
+
 TEST(SubdivisionCageSource, IsAroundItsInput)
 {
   const Grid first = MakeCloud(20, { 0, 0, 0 }, { 1, 1, 1 }, 1);
@@ -92,7 +105,7 @@ TEST(SubdivisionCageSource, IsAroundItsInput)
     all[2 * axis] = std::min(a[2 * axis], b[2 * axis]);
     all[2 * axis + 1] = std::max(a[2 * axis + 1], b[2 * axis + 1]);
   }
-  ExpectBounds(MakeCage(source).Cage, all);
+  ExpectBounds(MakeCage(source).Cage, Enlarge(all));
   source->SetMargin(10);
   const double margin = (all[1] - all[0]) / 10;
   for (int axis = 0; axis < 3; ++axis)
@@ -100,7 +113,7 @@ TEST(SubdivisionCageSource, IsAroundItsInput)
     all[2 * axis] -= margin;
     all[2 * axis + 1] += margin;
   }
-  ExpectBounds(MakeCage(source).Cage, all);
+  ExpectBounds(MakeCage(source).Cage, Enlarge(all));
   // Without input, Bounds count.
   source->SetInputDataObject(0, nullptr);
   source->RemoveAllInputConnections(0);
@@ -149,12 +162,39 @@ TEST(SubdivisionCageSource, StartsADeformation)
   const Grid cloud = MakeCloud(500, { -1, 0, 2 }, { 1, 3, 4 }, 3);
   vtkNew<vtkSubdivisionCageSource> source;
   source->SetInputDataObject(0, cloud);
-  source->SetMargin(60); // smoothing makes the cage smaller
   const Grid cage = MakeCage(source).Cage;
   Deformer deformer;
   const auto result = deformer.Run(cloud, cage, Moved(cage, Affine));
   EXPECT_TRUE(deformer.WasSilent());
   EXPECT_LT(GetLargestError(result, cloud, Affine), 1e-12);
+}
+
+/// Objects that fill their box, with the defaults of both and with few and many cells.
+TEST(SubdivisionCageSource, AllOfABoxIsInsideTheSmoothedCage)
+{
+  Grid box = MakeCloud(0, { 0, 0, 0 }, { 1, 1, 1 }, 1);
+  for (int i = 0; i < 9 * 9 * 9; ++i)
+  {
+    box->GetPoints()->InsertNextPoint(i % 9 / 8., 2. * (i / 9 % 9) / 8., 5. * (i / 81) / 8.);
+  }
+  for (const int n : { 1, 2, 5 })
+  {
+    for (const int levels : { 0, 2, 4 })
+    {
+      vtkNew<vtkSubdivisionCageSource> source;
+      source->SetInputDataObject(0, box);
+      source->SetNumberOfCells(n, n, 2);
+      source->SetMargin(n == 1 ? 0. : 5.);
+      const Grid cage = MakeCage(source).Cage;
+      vtkNew<vtkSubdivisionDeformation> filter;
+      filter->SetInputData(0, box);
+      filter->SetRestMeshData(cage);
+      filter->SetDeformedMeshData(cage);
+      filter->SetNumberOfLevels(levels);
+      filter->Update();
+      EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0) << n << " cells, level " << levels;
+    }
+  }
 }
 
 TEST(SubdivisionDeformation, WithoutRestMeshThereIsOneError)

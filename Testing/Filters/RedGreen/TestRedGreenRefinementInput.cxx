@@ -333,7 +333,7 @@ TEST(RedGreenNotFinite, EdgesWithoutAValueAreNotRefinedAndCounted)
           filter->SetAttributeTolerance(0.01);
         },
         messages);
-      EXPECT_EQ(messages->Warnings.size(), 1u);
+      EXPECT_EQ(messages->Warnings.size(), 2u); // of the criterion, and of the values
       EXPECT_EQ(messages->CountWarnings("2 edges have a value of the point array \"V\""), 1);
       const Kinds kinds = CountKinds(output);
       EXPECT_EQ(kinds.at(0), (std::map<int, int>{ { 0, 2 } })) << kind;
