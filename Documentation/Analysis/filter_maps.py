@@ -18,6 +18,7 @@ def sampled(made, scheme, corners, sector=-1):
         smoothness = vtkSubdivisionSmoothness()
         smoothness.SetInputData(made)
         smoothness.SetScheme(getattr(vtkSubdivisionSmoothness, scheme))
+        smoothness.SetSampleMaps(True)
         smoothness.Update()
     out = smoothness.GetOutput()
 

@@ -177,6 +177,7 @@ def dual_map(scheme, k):
     probe = vtkSubdivisionSmoothness()
     probe.SetInputData(mesh(np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1), [list(range(k))]))
     probe.SetScheme(scheme)
+    probe.SetSampleMaps(True)
     probe.Update()
     cells = probe.GetOutput().GetCellData()
     face = probe.GetOutput().GetNumberOfCells() - 1

@@ -323,7 +323,7 @@ void Trials::Fail(long call, bool& failed)
   else
   {
     ASSERT_NE(errors[0].find("memory"), std::string::npos) << errors[0];
-    ASSERT_TRUE(std::regex_search(errors[0], std::regex("[0-9] bytes \\("))) << errors[0];
+    ASSERT_TRUE(std::regex_search(errors[0], std::regex("[0-9] ([kMGT]?B|bytes)"))) << errors[0];
     this->Estimated = this->Estimated || Has(errors[0], " were expected to be enough; ");
     this->ExpectWhole(filter->GetOutputDataObject(0));
   }

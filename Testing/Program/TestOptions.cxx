@@ -72,7 +72,8 @@ std::vector<std::string> Others(const Option& option)
     case Kind::Whole:
       return { Repeat("7", option.Count), Repeat("3", option.Count) };
     case Kind::Real:
-      return { Repeat("0.25", option.Count), Repeat("7.5", option.Count) };
+      return { Repeat("0.25", option.Count), Repeat("7.5", option.Count),
+        Repeat("0.05", option.Count) };
     case Kind::Function:
       return { "sphere=1,2,3,4" };
     case Kind::Selection:

@@ -56,7 +56,7 @@ def other(option, kind, default):
         return vtkSphere()
     if isinstance(default, tuple):
         return tuple(value + 1 for value in default)
-    return default / 2 if isinstance(default, float) else default - 1 or 2
+    return (default / 2 or 0.05) if isinstance(default, float) else default - 1 or 2
 
 
 def state(made):

@@ -103,7 +103,10 @@ Grid Subdivide(vtkDataObject* input, const Options& options, Messages* messages)
   {
     for (const std::string& text : *list)
     {
-      ADD_FAILURE() << "unexpected: " << text;
+      // Points of random meshes may lie in edges of others; TestHangingNodes.cxx has the rules.
+      const bool tellsOfNodes = text.find("lies inside an edge") != std::string::npos ||
+        text.find("lie inside an edge") != std::string::npos;
+      EXPECT_TRUE(tellsOfNodes) << "unexpected: " << text;
     }
   }
   return filter->GetOutput();

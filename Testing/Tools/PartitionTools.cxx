@@ -115,12 +115,26 @@ struct Pair
 
 using Pairs = std::vector<Pair>;
 
+std::string ListNames(vtkFieldData* data)
+{
+  std::string names;
+  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
+  {
+    names += std::string(data->GetArrayName(a)) + " ";
+  }
+  return names;
+}
+
 Pairs PairArrays(vtkFieldData* whole, vtkFieldData* part)
 {
   Pairs pairs;
-  // Where parts have ids of cells, their children have these too; a whole has none.
-  const bool hasIds = part->HasArray(CellIdsName) && !whole->HasArray(CellIdsName);
-  EXPECT_EQ(whole->GetNumberOfArrays(), part->GetNumberOfArrays() - (hasIds ? 1 : 0));
+  // Where parts have ids of cells, their children have these too, and points that no step made have
+  // ids of points; a whole has none.
+  const auto addsIds = [&](const char* name)
+  { return part->HasArray(name) && !whole->HasArray(name); };
+  const bool hasIds = addsIds(CellIdsName) || addsIds("PointIds");
+  EXPECT_EQ(whole->GetNumberOfArrays(), part->GetNumberOfArrays() - (hasIds ? 1 : 0))
+    << ListNames(whole) << "| " << ListNames(part);
   for (int a = 0; a < whole->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* ours = whole->GetAbstractArray(a);

@@ -95,7 +95,7 @@ public:
       this->Improve(std::move(searches));
       if (solids)
       {
-        this->Improve(this->StartInSolids(*solids, left, patches.GetSize(), true));
+        this->ImproveInSolids(this->StartInSolids(*solids, left, patches.GetSize(), true));
       }
       for (std::size_t i = 0; i < found.size(); ++i)
       {
@@ -134,6 +134,27 @@ private:
         }
       }
       searches = std::move(next);
+    }
+  }
+
+  /// Searches anew, so that places in solids count which are nearer than those before in the same
+  /// search, and takes what is nearest of all.
+  void ImproveInSolids(std::vector<PlaceSearch>&& searches)
+  {
+    const std::vector<NearestPlace> best = this->Best;
+    const std::vector<Vector> values = this->Values;
+    for (const PlaceSearch& search : searches)
+    {
+      this->Best[search.Point] = { -1, {}, std::numeric_limits<double>::infinity() };
+    }
+    this->Improve(std::move(searches));
+    for (const std::size_t i : InTurn(best.size()))
+    {
+      if (best[i].Distance < this->Best[i].Distance)
+      {
+        this->Best[i] = best[i];
+        this->Values[i] = values[i];
+      }
     }
   }
 

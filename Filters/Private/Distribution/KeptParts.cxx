@@ -148,6 +148,11 @@ bool KeptParts::Restore(
     {
       key.AddCells(part.Mesh);
       key.AddIds(part.Mesh);
+      if (part.Mesh->GetPointData()->GetGlobalIds() && part.Mesh->GetPoints())
+      {
+        key.Add(part.Mesh->GetPoints()
+            ->GetData()); // points of one id are one where they are at one place
+      }
       if (joinsCopies)
       {
         key.Add(part.Mesh->GetPointData()->GetArray(MaterialPointIdsName));

@@ -342,8 +342,9 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   std::vector<LimitPlace<Id>> places;
   vtkNew<vtkPolyData> found; // with further arrays
   std::vector<vtkIdType> missing;
-  if (request.Targets ? !this->FindNearest<Scheme>(request, level, creases, places, missing, found)
-                      : !this->ReadPlaces(request, places, missing))
+  if (this->IsStopped(0.5) ||
+    !(request.Targets ? this->FindNearest<Scheme>(request, level, creases, places, missing, found)
+                      : this->ReadPlaces(request, places, missing)))
   {
     return false;
   }

@@ -102,7 +102,9 @@ TEST(LinearScheme, NewValuesAreMeansOfTheirEdge)
   vtkDataArray* values = input->GetPointData()->GetArray("double");
   values->SetComponent(0, 0, std::numeric_limits<double>::infinity());
   const Grid start = Execute(input, 0);
-  const Grid output = Execute(input, 1, Linear);
+  vtkNew<Messages> messages;
+  const Grid output = Execute(input, 1, Linear, messages);
+  EXPECT_EQ(messages->CountWarnings("the point array \"double\" at 1 of"), 1);
   std::map<Point, std::vector<double>> places;
   for (vtkIdType i = start->GetNumberOfPoints(); i < output->GetNumberOfPoints(); ++i)
   {

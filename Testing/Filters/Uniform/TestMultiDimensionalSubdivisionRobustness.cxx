@@ -146,8 +146,7 @@ TEST(MultiDimensionalSubdivisionGhosts, TypesGoToChildrenAndPoints)
     options.Integers = true;
     const Grid result = Subdivide(grid, options, messages);
     EXPECT_EQ(messages->Errors.size(), 0u);
-    ASSERT_EQ(messages->Warnings.size(), 1u);
-    EXPECT_EQ(messages->CountWarnings("duplicate"), 1);
+    EXPECT_EQ(messages->Warnings.size(), 0u) << "one layer is enough for curves and surfaces";
     vtkUnsignedCharArray* cells = result->GetCellGhostArray();
     vtkUnsignedCharArray* points = result->GetPointGhostArray();
     ASSERT_TRUE(cells && points);
@@ -228,7 +227,7 @@ TEST(MultiDimensionalSubdivisionLimits, MaximumNumberOfCells)
   options.MaximumNumberOfCells = 64 + 16;
   EXPECT_EQ(Subdivide(grid, options)->GetNumberOfCells(), 80);
   options.MaximumNumberOfCells = 79;
-  ExpectRefused(grid, options, { " 80 cells", "79", "bytes" });
+  ExpectRefused(grid, options, { " 80 cells", "79", "3.28 kB" });
   options.Levels = 0;
   options.MaximumNumberOfCells = 1;
   ExpectRefused(grid, options, { " 2 cells" });
@@ -238,14 +237,14 @@ TEST(MultiDimensionalSubdivisionLimits, AbsurdLevels)
 {
   Options options;
   options.Levels = 20;
-  ExpectRefused(MakeTet(), options, { "cells", "bytes" });
+  ExpectRefused(MakeTet(), options, { "cells", "47.3 EB" });
   options.Levels = 12; // 8^12 tets are some terabytes, whatever the limit says
   options.MaximumNumberOfCells = VTK_ID_MAX;
-  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "bytes" });
+  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "4.86 TB" });
   options.Levels = 20;
-  ExpectRefused(MakeTet(), options, { "bytes" });
-  ExpectRefused(MakeMixedBox(1), options, { "bytes" });
-  ExpectRefused(MakeMixedBox(4), options, { "bytes" });
+  ExpectRefused(MakeTet(), options, { "81.5 EB" });
+  ExpectRefused(MakeMixedBox(1), options, { " EB" });
+  ExpectRefused(MakeMixedBox(4), options, { " EB" });
 }
 
 TEST(MultiDimensionalSubdivisionLimits, ANewUpdateAfterAnErrorWorks)

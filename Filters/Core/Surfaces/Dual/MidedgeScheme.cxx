@@ -45,7 +45,7 @@ public:
   bool UsesTags() const override { return false; }
   bool KeepsVertices() const override { return false; }
   bool HalvesEdges() const override { return false; }
-  FaceMemory GetFaceMemory() const override { return { 40., 1., 34., 118., 215., 290. }; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 50., 118., 215., 290. }; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(2., steps - 2) : faces;

@@ -128,9 +128,35 @@ private:
     this->Crop(next, creases, points.data(), turned);
   }
 
+  /// The number of an item, which is added if it is none yet.
+  static int AddItem(Id item, std::vector<Id>& items)
+  {
+    const auto found = std::find(items.begin() + 1, items.end(), item);
+    const auto number = found - items.begin();
+    found == items.end() ? items.push_back(item) : void();
+    return static_cast<int>(number);
+  }
+
   static Around Find(const PolygonMesh<Id>& mesh, Id vertex)
   {
     Around around;
+    if (mesh.Edges.empty() && mesh.NumberOfFaces > 0) // of a dual scheme: other ends tell them
+    {
+      around.Items.push_back(vertex);
+      VisitFans(mesh, vertex,
+        [&](Id fan)
+        {
+          VisitFan(mesh, fan,
+            [&](const FanStep<Id>& step)
+            {
+              const int begin = AddItem(mesh.Vertices[mesh.Next(step.Corner)], around.Items);
+              const int end = AddItem(mesh.Vertices[mesh.Previous(step.Corner)], around.Items);
+              around.Corners.push_back({ { begin, end } });
+              around.Faces.push_back(mesh.GetFace(step.Corner));
+            });
+        });
+      return around;
+    }
     std::vector<Id> edges;
     CollectEdges(mesh, vertex, [](Id) { return true; }, edges);
     around.Items.push_back(vertex);
