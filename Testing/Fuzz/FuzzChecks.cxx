@@ -2,6 +2,7 @@
 #include "FuzzChecks.h"
 
 #include "vtkAbstractArray.h"
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -257,9 +258,17 @@ Soundness Examine(vtkDataObject* data, double limit)
   return sound;
 }
 
-const char* FindFault(vtkDataObject* input, vtkDataObject* output)
+const char* FindFault(vtkDataObject* input, vtkDataObject* output, vtkAlgorithm* filter)
 {
-  const Soundness before = Examine(input, Moderate);
+  Soundness before = Examine(input, Moderate);
+  // Of the other inputs, places and control meshes, values may be missing, too.
+  for (int port = 1; filter && port < filter->GetNumberOfInputPorts(); ++port)
+  {
+    vtkDataObject* other =
+      filter->GetNumberOfInputConnections(port) > 0 ? filter->GetInputDataObject(port, 0) : nullptr;
+    before.HasFiniteValues =
+      before.HasFiniteValues && (!other || Examine(other, Moderate).HasFiniteValues);
+  }
   const Soundness after = Examine(output, std::numeric_limits<double>::max());
   if (before.HasValidIds && !after.HasValidIds)
   {

@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_FuzzChecks_h
 #define SubdivisionObjects_FuzzChecks_h
 
+#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
 
 #include <string>
@@ -27,7 +28,7 @@ struct Soundness
 Soundness Examine(vtkDataObject* data, double limit);
 
 /// What is wrong with an output, as one line; null: nothing.
-const char* FindFault(vtkDataObject* input, vtkDataObject* output);
+const char* FindFault(vtkDataObject* input, vtkDataObject* output, vtkAlgorithm* filter = nullptr);
 
 /// Name and class of an array of the input's points, or `ofCells` of its cells, that the output of
 /// a filter which carries them has not; empty: none. Not asked for where there is no output, and

@@ -43,7 +43,7 @@ vtkSmartPointer<vtkDataObject> Try(vtkDataObject* input, fuzz::Bytes& bytes)
   {
     return nullptr;
   }
-  if (const char* fault = fuzz::FindFault(input, output))
+  if (const char* fault = fuzz::FindFault(input, output, filter))
   {
     fuzz::Report(fault, what.Name);
   }
