@@ -255,6 +255,10 @@ def replace(words, text):
     """The text with other words; where several fit, the longest is meant."""
     if not words:
         return text
+    # Where ParaView's plugin is loaded, too, messages have the labels of panels.
+    known = set(words.values())
+    text = re.sub(r'"([A-Z][A-Za-z0-9 -]*)"', lambda found: next(
+        (name for name in [re.sub("[ -]", "_", found[1].lower())] if name in known), found[0]), text)
     any_word = "|".join(map(re.escape, sorted(words, key=len, reverse=True)))
     return re.sub(rf"(?<![^\W_])(?:{any_word})(?![^\W_])", lambda found: words[found[0]], text)
 

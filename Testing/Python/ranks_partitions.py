@@ -248,7 +248,7 @@ def run():
     checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])
     check_filters_in_a_row(checks, skin, INTERPOLATED, "vtkSurfaceSubdivision")
     check_files(checks)
-    for scheme in range(7):
+    for scheme in range(3):  # of the others parts on ranks go on only where each rank has some
         check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
     return checks.finish()
 

@@ -40,7 +40,8 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned, const double* points,
   TangentPairs& tangents)
 {
-  tangents.Normals = Buffer<double>(3 * tangents.Errors.size());
+  // Never empty: that there are normals shows in the output of a rank without points, too.
+  tangents.Normals = Buffer<double>(std::max<vtkIdType>(1, 3 * tangents.Errors.size()));
   Buffer<unsigned char> missing(level.Mesh.NumberOfVertices);
   ForEach(tangents.Errors.size(),
     [&](vtkIdType i)
