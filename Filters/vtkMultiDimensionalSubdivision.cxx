@@ -192,8 +192,7 @@ int vtkMultiDimensionalSubdivision::RequestData(
   const auto run = [&](double begin, double end)
   {
     options.Part = { begin, end };
-    return this->Run(inputVector, outputVector, options,
-      isLocal ? "" : nullptr,
+    return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
       "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
         ". Use fewer levels, or a part of the input.",
       [&](vtkPointSet* input, vtkPointSet* output)

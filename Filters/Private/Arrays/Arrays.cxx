@@ -182,8 +182,8 @@ vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)
   {
     return array;
   }
-  const auto copy = MakeArray(
-    array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples());
+  const auto copy =
+    MakeArray(array->GetDataType(), array->GetNumberOfComponents(), array->GetNumberOfTuples());
   if (array->GetDataTypeSize() == 8 && array->GetDataType() != VTK_DOUBLE)
   {
     // VTK copies by doubles, which do not have all of these numbers.

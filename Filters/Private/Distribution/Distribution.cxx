@@ -262,7 +262,8 @@ bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchan
       parts[0].begin(), parts[0].end(), [](const MeshPart& part) { return part.Case != 0; });
   }
   const bool haveOwn = AreSeveralBlocks(parts, exchange) &&
-    FindOwnBlocks(parts, exchange, distribution.KeepsOwnValues ? RunOptions().Warn : options.Warn) &&
+    FindOwnBlocks(
+      parts, exchange, distribution.KeepsOwnValues ? RunOptions().Warn : options.Warn) &&
     distribution.ReadsOwnBlocks;
   const auto run = [&](size_t p, Rounds* rounds)
   {

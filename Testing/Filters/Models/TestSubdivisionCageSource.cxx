@@ -74,8 +74,8 @@ TEST(SubdivisionCageSource, FillsItsBox)
   EXPECT_EQ(outside, 2 * 2 * (3 * 1 + 3 * 4 + 1 * 4));
 }
 
-/// The box of a cage whose limit has these bounds inside: it has two cells along each axis, of which a
-/// quarter is beyond them on each side.
+/// The box of a cage whose limit has these bounds inside: it has two cells along each axis, of
+/// which a quarter is beyond them on each side.
 std::array<double, 6> Enlarge(std::array<double, 6> bounds)
 {
   for (int axis = 0; axis < 3; ++axis)

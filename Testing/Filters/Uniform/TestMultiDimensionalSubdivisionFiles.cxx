@@ -58,7 +58,8 @@ TEST_P(SubdivisionOfFile, IsComplete)
     EXPECT_EQ(messages->Warnings.size(), file.Warnings);
     const auto ofPoints =
       static_cast<std::size_t>(messages->CountWarnings("at the place of another") +
-        messages->CountWarnings("of another cell") + messages->CountWarnings("of the mesh from another"));
+        messages->CountWarnings("of another cell") +
+        messages->CountWarnings("of the mesh from another"));
     EXPECT_EQ(messages->Warnings.size(), simplices.Warnings.size() + warnings.size() + ofPoints);
     vtkIdType cells = 0;
     for (unsigned char dimension : simplices.Simplices.Dimensions)
