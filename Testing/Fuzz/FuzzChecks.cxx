@@ -135,8 +135,8 @@ bool HaveValidIds(vtkDataSet* set)
 bool MayBeMissing(vtkDataSetAttributes* data, vtkAbstractArray* array, vtkIdType tuples)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
-  constexpr const char* replaced[] = { "vtkOriginalPointIds", "vtkOriginalCellIds",
-    "vtkGhostType" };
+  constexpr const char* replaced[] = { "MaterialPointIds", // of copies, which a warning tells
+    "vtkOriginalPointIds", "vtkOriginalCellIds", "vtkGhostType" };
   return name.empty() || array->GetNumberOfTuples() != tuples || array == data->GetGlobalIds() ||
     array == data->GetPedigreeIds() || array == data->GetNormals() ||
     std::find(std::begin(replaced), std::end(replaced), name) != std::end(replaced);
