@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+#include <unistd.h>
+
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
@@ -57,8 +59,11 @@ void Change(Input& input, std::mt19937& chance)
 
 Input Current;
 
-/// Prints the input at a crash, as `xxd -r -p` reads it, so that the log of a test is enough to
-/// repeat it.
+/// Seconds after which an input counts as one that does not come to an end.
+constexpr unsigned Patience = 240;
+
+/// Prints the input at a crash, or when patience is over, as `xxd -r -p` reads it, so that the log
+/// of a test is enough to repeat it.
 extern "C" void PrintInput(int signal)
 {
   std::fprintf(stderr, "the input:\n");
@@ -77,7 +82,9 @@ void Run(const Input& input)
   Current = input;
   std::ofstream("last-input", std::ios::binary)
     .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
+  alarm(Patience);
   LLVMFuzzerTestOneInput(input.data(), input.size());
+  alarm(0);
 }
 
 }
@@ -85,7 +92,7 @@ void Run(const Input& input)
 int main(int argc, char** argv)
 {
   LLVMFuzzerInitialize(&argc, &argv);
-  for (const int signal : { SIGABRT, SIGSEGV })
+  for (const int signal : { SIGABRT, SIGSEGV, SIGALRM })
   {
     std::signal(signal, PrintInput);
   }

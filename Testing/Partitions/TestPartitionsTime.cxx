@@ -33,6 +33,57 @@ struct Sent
   vtkIdType Bytes;
 };
 
+/// Moves one slab away from its neighbours, although it shares ids of points with them.
+void MoveAway(vtkPointSet* slab)
+{
+  for (vtkIdType p = 0; p < slab->GetNumberOfPoints(); ++p)
+  {
+    const Point at = GetPoint(slab, p);
+    slab->GetPoints()->SetPoint(p, at[0], at[1], at[2] + 10.);
+  }
+}
+
+/// The numbers of points of the parts that outputs have, and the warnings.
+struct Result
+{
+  std::vector<vtkIdType> Points;
+  int Warnings;
+
+  bool operator==(const Result& other) const
+  {
+    return this->Points == other.Points && this->Warnings == other.Warnings;
+  }
+};
+
+Result Distribute(const std::vector<Mesh>& cut, subdivision::KeptParts& kept)
+{
+  std::vector<std::vector<Block>> blocks(cut.size());
+  for (std::size_t i = 0; i < cut.size(); ++i)
+  {
+    Block block;
+    block.Input = cut[i];
+    block.Output = subdivision::MakeMesh(false);
+    blocks[i].push_back(block);
+  }
+  subdivision::Exchange exchange(nullptr, static_cast<int>(cut.size()));
+  subdivision::DistributionOptions distribution;
+  distribution.Kept = &kept;
+  subdivision::RunOptions options;
+  Result result{ {}, 0 };
+  options.Warn = [&](const std::string&) { ++result.Warnings; };
+  options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
+  EXPECT_TRUE(
+    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, Subdivide));
+  for (const auto& own : blocks)
+  {
+    double bounds[6];
+    own[0].Output->GetBounds(bounds);
+    result.Points.push_back(own[0].Output->GetNumberOfPoints());
+    result.Points.push_back(static_cast<vtkIdType>(1e6 * bounds[5]));
+  }
+  return result;
+}
+
 /// Subdivides parts of a mesh and compares them with the whole, if that has the same numbers of
 /// points. Returns what was sent for that.
 Sent Check(
@@ -109,6 +160,23 @@ TEST(PartitionsTime, OnlyValuesAreSentAgain)
   // Each slab has one or two neighbours, and two layers reach no farther.
   EXPECT_GE(2 * (Parts - 1) + 2, second.Messages);
   EXPECT_GT(10 * first.Bytes, 13 * second.Bytes); // with ten arrays values are most of it
+}
+
+TEST(PartitionsTime, PointsOfOneIdThatPartAreApart)
+{
+  const Mesh mesh = MakeMesh();
+  const std::vector<int> partOf = CutInSlabs(mesh, Parts);
+  const std::vector<Mesh> together = Cut(mesh, partOf, Parts, KnownBy::GlobalIds);
+  std::vector<Mesh> apart = Cut(mesh, partOf, Parts, KnownBy::GlobalIds);
+  MoveAway(apart[0]);
+  subdivision::KeptParts none;
+  const Result expected = Distribute(apart, none);
+  subdivision::KeptParts kept;
+  const Result first = Distribute(together, kept);
+  EXPECT_EQ(first.Warnings, 0);
+  EXPECT_EQ(expected.Warnings, 1);
+  EXPECT_TRUE(Distribute(apart, kept) == expected);
+  EXPECT_TRUE(Distribute(together, kept) == first); // and back again
 }
 
 TEST(PartitionsTime, PartsMayDisagreeOnTheTypeOfAnArray)

@@ -508,7 +508,10 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
     options.FindPartners = [&](vtkPointSet*) { return find(input); };
   }
   const vtkSmartPointer<vtkDataArray> blocks = input->GetCellData()->GetArray(OwnBlockName);
-  bool isOn = fields.IsOn || blocks;
+  vtkDataArray* const parts =
+    fields.OfMergedParts ? input->GetCellData()->GetArray(MergedPartsName) : nullptr;
+  // Where no points were merged there are no values of theirs to keep.
+  bool isOn = (fields.OfMergedParts ? parts != nullptr : fields.IsOn) || blocks;
   if (!isOn)
   {
     vtkSmartPointer<vtkPointSet> mesh = input;
@@ -527,11 +530,10 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   }
   vtkSmartPointer<vtkPointSet> mesh;
   {
-    vtkDataArray* const parts = input->GetCellData()->GetArray(MergedPartsName);
     Control control(input,
-      fields.OfMergedParts ? parts
-        : blocks           ? blocks.Get()
-                           : options.Features.Material.Get(),
+      parts      ? parts
+        : blocks ? blocks.Get()
+                 : options.Features.Material.Get(),
       FindPartners(options, input));
     const bool areTooMany = control.GetNumberOfColours() > MaximumNumberOfColours;
     if (areTooMany && !fields.IsOn)

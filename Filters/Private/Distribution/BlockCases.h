@@ -16,17 +16,6 @@ namespace subdivision
 {
 
 /**
- * Compares the places of points that have the same id (MeshPart::Points; -1 is left out). Places
- * are the same up to a millionth of the size of the larger part. Returns whether those of an id
- * differ; `warn` gets a message, and MeshPart::Variants then tells the points of an id apart: 0 for
- * those at the place of the first one, other numbers for other places.
- *
- * One exchange, of 64 bytes for each point, and one more where places differ.
- */
-bool FindPlacesOfIds(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
-  const std::function<void(const std::string&)>& warn);
-
-/**
  * Sets MeshPart::Case. Two blocks with cells between the same points are cases (or time steps) of
  * one mesh if these are half of the cells of one of them or more, or if values at their points
  * differ: those that such pairs connect, also by way of others, are numbered from 0 in the order of

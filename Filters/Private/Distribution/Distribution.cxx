@@ -197,9 +197,10 @@ bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
   }
   std::vector<std::string> warnings;
   const bool areStamped = TakeStampedNumbers(parts, exchange);
+  bool haveSeveralPlaces = false;
   if (!areStamped)
   {
-    IdentifyPoints(
+    haveSeveralPlaces = IdentifyPoints(
       parts, exchange, [&](const std::string& message) { warnings.push_back(message); },
       distribution.KeepsOwnValues);
   }
@@ -211,7 +212,7 @@ bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
   {
     std::vector<SentLayers> sent = AddLayers(parts, layers, exchange);
     ShareArrays(parts, exchange);
-    kept.Keep(parts, std::move(sent), areStamped, warnings);
+    kept.Keep(parts, std::move(sent), areStamped, haveSeveralPlaces, warnings);
   }
   Tell(warnings, options);
   return areStamped;

@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/GreenLeaves.h"
+#include "Private/Distribution/PlacesOfIds.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -137,7 +138,9 @@ bool KeptParts::Restore(
   std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange)
 {
   this->Current.clear();
+  this->CurrentPlaces.clear();
   KeyMaker key(this->Current);
+  KeyMaker places(this->CurrentPlaces);
   key.Add(static_cast<std::uint64_t>(layers));
   key.Add(static_cast<std::uint64_t>(exchange.GetNumberOfPartitions()));
   key.Add(joinsCopies ? 1 : 0);
@@ -150,8 +153,7 @@ bool KeptParts::Restore(
       key.AddIds(part.Mesh);
       if (part.Mesh->GetPointData()->GetGlobalIds() && part.Mesh->GetPoints())
       {
-        key.Add(part.Mesh->GetPoints()
-            ->GetData()); // points of one id are one where they are at one place
+        places.Add(part.Mesh->GetPoints()->GetData());
       }
       if (joinsCopies)
       {
@@ -161,11 +163,15 @@ bool KeptParts::Restore(
       key.AddKinds(part.Mesh->GetCellData());
     }
   }
-  if (!exchange.Agree(this->Current == this->Known))
+  // Points of one id are one where they lie at one place: when they move, that is found out anew
+  // where it was not so, and else compared with what comes.
+  const bool haveMoved = !exchange.Agree(this->CurrentPlaces == this->KnownPlaces);
+  if (!exchange.Agree(this->Current == this->Known) || (haveMoved && this->HasSeveralPlaces))
   {
     this->Forget();
     return false;
   }
+  const std::vector<std::vector<MeshPart>> given = parts;
   for (size_t p = 0; p < parts.size(); ++p)
   {
     for (size_t i = 0; i < this->Parts[p].size(); ++i)
@@ -185,14 +191,23 @@ bool KeptParts::Restore(
     }
   }
   SendValuesAgain(parts, this->Sent, exchange);
+  if (haveMoved && !HavePlacesOfIds(parts, exchange))
+  {
+    parts = given;
+    this->Forget();
+    return false;
+  }
+  this->KnownPlaces = std::move(this->CurrentPlaces);
   return true;
 }
 
 void KeptParts::Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
-  bool areStamped, std::vector<std::string> warnings)
+  bool areStamped, bool haveSeveralPlaces, std::vector<std::string> warnings)
 {
   // Leaves number their points and cells anew in each part: values alone are not enough.
   this->Known = HaveLeaves(parts) ? std::vector<std::uint64_t>() : std::move(this->Current);
+  this->KnownPlaces = std::move(this->CurrentPlaces);
+  this->HasSeveralPlaces = haveSeveralPlaces;
   this->Parts.clear();
   for (size_t p = 0; p < parts.size(); ++p)
   {

@@ -26,9 +26,9 @@ public:
   bool Restore(
     std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange);
 
-  /// Keeps what was found out since Restore returned false.
+  /// Keeps what was found out since Restore returned false. `haveSeveralPlaces`: of IdentifyPoints.
   void Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
-    bool areStamped, std::vector<std::string> warnings);
+    bool areStamped, bool haveSeveralPlaces, std::vector<std::string> warnings);
   void Forget();
 
   const std::vector<SentLayers>& GetSent() const { return this->Sent; }
@@ -38,11 +38,14 @@ public:
 private:
   using Key = std::vector<std::uint64_t>;
 
-  Key Current;                              ///< what Restore found
-  Key Known;                                ///< what was kept; empty: nothing
+  Key Current;       ///< what Restore found
+  Key CurrentPlaces; ///< of points with global ids
+  Key Known;         ///< what was kept; empty: nothing
+  Key KnownPlaces;
   std::vector<std::vector<MeshPart>> Parts; ///< without values
   std::vector<SentLayers> Sent;
   bool Stamped = false;
+  bool HasSeveralPlaces = false;
   std::vector<std::string> Warnings;
 };
 

@@ -5,6 +5,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/PointCopies.h"
 #include "Private/Distribution/BlockCases.h"
+#include "Private/Distribution/PlacesOfIds.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 
@@ -545,7 +546,7 @@ void IdentifyByPlace(Parts& parts, Exchange& exchange,
 
 }
 
-void IdentifyPoints(Parts& parts, Exchange& exchange,
+bool IdentifyPoints(Parts& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn, bool joinsCopies)
 {
   for (auto& partition : parts)
@@ -555,6 +556,7 @@ void IdentifyPoints(Parts& parts, Exchange& exchange,
       MarkUsed(part);
     }
   }
+  bool areSeveral = false;
   if (!AllHave(parts, exchange, vtkDataObject::POINT))
   {
     IdentifyByPlace(parts, exchange, warn, false, joinsCopies);
@@ -562,7 +564,8 @@ void IdentifyPoints(Parts& parts, Exchange& exchange,
   else
   {
     TakeGlobalIds(parts, vtkDataObject::POINT, &MeshPart::Points);
-    if (FindPlacesOfIds(parts, exchange, warn))
+    areSeveral = FindPlacesOfIds(parts, exchange, warn);
+    if (areSeveral)
     {
       IdentifyByPlace(parts, exchange, warn, true, joinsCopies);
     }
@@ -579,6 +582,7 @@ void IdentifyPoints(Parts& parts, Exchange& exchange,
   {
     NumberCells(parts, exchange);
   }
+  return areSeveral;
 }
 
 }

@@ -29,10 +29,12 @@ namespace subdivision
  * With `joinsCopies` points of a part that are copies (Private/Control/PointCopies.h) are one
  * point.
  *
+ * Returns whether some points of one id lie at different places.
+ *
  * Without global ids of points four exchanges, at most 64 bytes for each point; with global ids of
  * cells one, 8 bytes for each cell.
  */
-void IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+bool IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn, bool joinsCopies = false);
 
 }

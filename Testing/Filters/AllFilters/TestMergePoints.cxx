@@ -357,6 +357,21 @@ TEST(MergePoints, KeptValuesJump)
   EXPECT_FALSE(result->GetCellData()->HasArray("SubdivisionMergedParts"));
 }
 
+TEST(MergePoints, NothingToMergeIsNoError)
+{
+  for (const int rule : { Filter::FIRST_VALUE, Filter::AVERAGE_VALUE, Filter::KEEP_VALUES })
+  {
+    const Grid empty = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    const Grid result = Execute(empty, 1, MergeWith(rule));
+    EXPECT_EQ(result->GetNumberOfPoints(), 0);
+    // Without points in common all is as without the option.
+    const Grid one = MakeGrid(
+      { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    AddValues(one);
+    EXPECT_EQ(GetValues(Execute(one, 1, MergeWith(rule))), GetValues(Execute(one, 1)));
+  }
+}
+
 TEST(MergePoints, ValuesOnBothSidesOfASlitCannotJump)
 {
   // Four triangles around point 0; the slit between 1 and 5 ends there.

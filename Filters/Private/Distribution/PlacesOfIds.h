@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PlacesOfIds.h
+ * Whether points of the same id lie at the same place.
+ */
+#ifndef SubdivisionObjects_PlacesOfIds_h
+#define SubdivisionObjects_PlacesOfIds_h
+
+#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/JoinedMesh.h"
+
+#include <functional>
+#include <string>
+
+namespace subdivision
+{
+
+/**
+ * Compares the places of points that have the same id (MeshPart::Points; -1 is left out). Places
+ * are the same up to a millionth of the size of the larger part. Returns whether those of an id
+ * differ; `warn` gets a message, and MeshPart::Variants then tells the points of an id apart: 0 for
+ * those at the place of the first one, other numbers for other places.
+ *
+ * One exchange, of 64 bytes for each point, and one more where places differ.
+ */
+bool FindPlacesOfIds(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+  const std::function<void(const std::string&)>& warn);
+
+/// Whether the points of each id lie at one place, by the same rule, among the parts that a
+/// partition has, with those of others. All ranks call it, and get the same answer; nothing else is
+/// sent.
+bool HavePlacesOfIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
+
+}
+
+#endif
