@@ -174,7 +174,7 @@ TEST(PartitionsTime, PointsOfOneIdThatPartAreApart)
   subdivision::KeptParts kept;
   const Result first = Distribute(together, kept);
   EXPECT_EQ(first.Warnings, 0);
-  EXPECT_EQ(expected.Warnings, 1);
+  EXPECT_GT(expected.Warnings, 0); // of the partitions that look after the ids
   EXPECT_TRUE(Distribute(apart, kept) == expected);
   EXPECT_TRUE(Distribute(together, kept) == first); // and back again
 }
