@@ -104,10 +104,10 @@ bool vtkSubdivisionAlgorithm::SharesRanks() const
 int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  // Without the last one VTK would run the filter once for each block.
+  // Without the last two VTK would run the filter once for each block.
   for (const char* type :
     { "vtkUnstructuredGrid", "vtkPolyData", "vtkImageData", "vtkRectilinearGrid",
-      "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree" })
+      "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" })
   {
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
   }
@@ -229,7 +229,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.AddBlockIndex = this->PreserveInterfaces;
   distribution.Prepare = [this](vtkPointSet* block, vtkPointSet* copy)
   { this->Prepare(block, copy); };
-  vtkDataObject* given = vtkDataObject::GetData(inputVector[0]);
+  const vtkSmartPointer<vtkDataObject> given =
+    subdivision::MakeTree(vtkDataObject::GetData(inputVector[0]));
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   vtkSmartPointer<vtkDataObject> made = output;
   if (this->IsOfSurfaces() && vtkUnstructuredGrid::SafeDownCast(output))

@@ -14,6 +14,7 @@
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/FittingMarks.h"
 #include "Private/Control/MemoryEstimate.h"
+#include "Private/Control/MissingValues.h"
 #include "Private/Control/OpenPoints.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Surface/SurfaceCellArrays.h"
@@ -292,32 +293,14 @@ void AdaptiveRun<Id>::WarnOfLeft(vtkIdType left, vtkIdType mostCells)
   const vtkIdType most = this->Others
     ? this->Options.MaximumNumberOfCells
     : mostCells + static_cast<vtkIdType>(this->Cells.Vertices.size());
-  std::string what = std::to_string(left) +
-    " places that the criteria ask for were not refined. The filter leaves out those with the "
-    "smallest errors first, the worst ones last: the output would have more than " +
-    std::to_string(most) + " cells, ";
-  what += this->MemoryIsLimit
-    ? "for which there is not enough memory. Use weaker criteria, a lower MaximumLevel, or a part "
-      "of the input."
-    : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a lower MaximumLevel.";
-  this->Options.Warn(what);
+  this->Options.Warn(DescribeLeftOut(left, most, this->MemoryIsLimit));
 }
 
 template <typename Id>
 void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
 {
-  auto& edges = notes.WithoutValue;
-  SortDistinct(edges);
-  if (!edges.empty())
-  {
-    vtkDataArray* array = this->Wanted.Attribute;
-    this->Options.Warn(std::to_string(edges.size()) +
-      " edges are at or next to a value of the point array \"" +
-      (array->GetName() ? array->GetName() : "") +
-      "\" that is not finite on the limit, the first joins points " +
-      std::to_string(edges[0].first) + " and " + std::to_string(edges[0].second) +
-      ": RefineByAttributeError does not refine them.");
-  }
+  NoteEdgesWithoutValue(
+    notes.WithoutValue, this->Wanted.Attribute, "on the limit at or next to them", this->Options);
   if (notes.TooShort > 0)
   {
     this->Options.Warn(std::to_string(notes.TooShort) +

@@ -480,7 +480,8 @@ void PointArrays::Finish(vtkPointSet* output)
   vtkPointData* from = this->Input->GetPointData();
   const bool unchanged =
     !this->HasMoved && this->NumberOfPoints == this->Input->GetNumberOfPoints();
-  const bool isOfInput = this->NumberOfPoints == this->NumberOfInputPoints;
+  const bool isOfInput = this->NumberOfPoints == this->NumberOfInputPoints &&
+    (!this->TakenPoints.empty() || this->NumberOfPoints == this->Input->GetNumberOfPoints());
   for (const Entry& entry : this->Entries)
   {
     vtkAbstractArray* source = from->GetAbstractArray(entry.Source);

@@ -12,10 +12,25 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace subdivision
 {
+
+/// The warning of what was left out, where the output would have more cells than `most`.
+inline std::string DescribeLeftOut(vtkIdType left, vtkIdType most, bool memoryIsLimit)
+{
+  return std::to_string(left) +
+    " places that the criteria ask for were not refined. The filter leaves out those with the "
+    "smallest errors first, the worst ones last: the output would have more than " +
+    std::to_string(most) + " cells, " +
+    (memoryIsLimit
+        ? "for which there is not enough memory. Use weaker criteria, a lower MaximumLevel, or a "
+          "part of the input."
+        : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a lower "
+          "MaximumLevel.");
+}
 
 /// How many of the first marks fit, or a few less. `fitsWith(count)` tries.
 template <typename Try>

@@ -2,6 +2,7 @@
 #include "Private/Control/MissingValues.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Partners.h"
 
@@ -141,7 +142,10 @@ bool RunWithMissingValues(vtkPointSet* input, vtkPointSet* output, RunOptions& o
   {
     options.FindPartners = [&](vtkPointSet*) { return find(input); };
   }
+  std::string note;
+  options.NoteOfMissing = &note;
   const bool isDone = work(mesh, output);
+  options.NoteOfMissing = nullptr;
   options.FindPartners = find;
   std::string text;
   for (int a = 0; isDone && a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
@@ -166,15 +170,32 @@ bool RunWithMissingValues(vtkPointSet* input, vtkPointSet* output, RunOptions& o
   {
     options.Warn("Values are missing, because they are not a number, infinite, or masked by " +
       std::string(MaskName) + ": " + text +
-      ". What takes none of them is as it would be without them. Fill them in first if there "
-      "should "
-      "be values.");
+      ". What takes none of them is as it would be without them. " + note +
+      "Fill them in first if there should be values.");
+  }
+  else if (!note.empty())
+  {
+    options.Warn(note + "Fill in missing values first if there should be some.");
   }
   if (isDone && mask)
   {
     RestoreMask(output, mask);
   }
   return isDone;
+}
+
+void NoteEdgesWithoutValue(std::vector<std::pair<vtkIdType, vtkIdType>>& edges, vtkDataArray* array,
+  const char* where, const RunOptions& options)
+{
+  SortDistinct(edges);
+  if (!edges.empty() && options.NoteOfMissing)
+  {
+    const char* name = array->GetName();
+    *options.NoteOfMissing = "RefineByAttributeError does not refine " +
+      std::to_string(edges.size()) + " edges: the point array \"" + (name ? name : "") +
+      "\" is not finite " + where + ", the first joins points " + std::to_string(edges[0].first) +
+      " and " + std::to_string(edges[0].second) + ". ";
+  }
 }
 
 }

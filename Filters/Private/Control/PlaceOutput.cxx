@@ -228,7 +228,7 @@ void FinishPlaces(const std::vector<vtkIdType>& missing, vtkPolyData* arrays, vt
     vtkIdTypeArray::SafeDownCast(array) ? void() : forget(array); // the cell is -1
     output->GetPointData()->AddArray(array);
   }
-  if (places)
+  if (places && places->GetNumberOfPoints() == output->GetNumberOfPoints()) // there are cells
   {
     AddArraysOfPlaces(places, output);
   }

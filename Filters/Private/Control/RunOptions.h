@@ -59,6 +59,8 @@ struct RunOptions
   /// Where the operator from the input's points to those of the output goes as a matrix; null:
   /// nowhere.
   MatrixFactors* Factors = nullptr;
+  /// What the warning of missing values says besides (MissingValues.h).
+  std::string* NoteOfMissing = nullptr;
 };
 
 inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)

@@ -19,9 +19,11 @@
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkUniformGridAMR.h"
 
 #include <algorithm>
 #include <map>
@@ -305,6 +307,10 @@ void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector
   if (vtkDataObjectTree::SafeDownCast(input))
   {
     wanted.TakeReference(input->NewInstance());
+  }
+  else if (vtkUniformGridAMR::SafeDownCast(input)) // MakeTree
+  {
+    wanted = vtkSmartPointer<vtkMultiBlockDataSet>::New();
   }
   else
   {

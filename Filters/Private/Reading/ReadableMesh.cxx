@@ -23,19 +23,24 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTypeInt32Array.h"
+#include "vtkUniformGridAMR.h"
+#include "vtkUniformGridAMRDataIterator.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 #include <utility>
 
 namespace subdivision
@@ -486,6 +491,33 @@ void CopyTree(vtkCompositeDataSet* from, vtkCompositeDataSet* to)
       made->GetFieldData()->ShallowCopy(inner->GetFieldData());
     }
   }
+}
+
+vtkSmartPointer<vtkDataObject> MakeTree(vtkDataObject* input)
+{
+  auto* amr = vtkUniformGridAMR::SafeDownCast(input);
+  if (!amr)
+  {
+    return input;
+  }
+  const auto tree = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  tree->GetFieldData()->ShallowCopy(amr->GetFieldData());
+  const auto all = vtkSmartPointer<vtkCompositeDataIterator>::Take(amr->NewIterator());
+  auto* at = vtkUniformGridAMRDataIterator::SafeDownCast(all);
+  for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+  {
+    const unsigned int level = at->GetCurrentLevel();
+    auto* grids = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(level));
+    if (!grids)
+    {
+      tree->SetBlock(level, vtkSmartPointer<vtkMultiBlockDataSet>::New());
+      tree->GetMetaData(level)->Set(
+        vtkCompositeDataSet::NAME(), ("Level " + std::to_string(level)).c_str());
+      grids = vtkMultiBlockDataSet::SafeDownCast(tree->GetBlock(level));
+    }
+    grids->SetBlock(at->GetCurrentIndex(), at->GetCurrentDataObject());
+  }
+  return tree;
 }
 
 vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,

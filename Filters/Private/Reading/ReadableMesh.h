@@ -30,6 +30,10 @@ enum class NonLinearRule
 /// are no blocks.
 void CopyTree(vtkCompositeDataSet* from, vtkCompositeDataSet* to);
 
+/// Makes a vtkMultiBlockDataSet of AMR: a block for each level, named "Level 0" and so on, with the
+/// grids of the level in it. What is of another class is returned as it is.
+vtkSmartPointer<vtkDataObject> MakeTree(vtkDataObject* input);
+
 /// Calls change(mesh) for a mesh, or for all blocks of a composite data set. The result is the
 /// input where nothing changes, else a mesh or a composite data set of the same structure. `change`
 /// also gets the flat index of the block, 0 for a single mesh.

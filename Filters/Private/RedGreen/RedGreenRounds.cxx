@@ -6,6 +6,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/Control/FittingMarks.h"
+#include "Private/Control/MissingValues.h"
 #include "Private/RedGreen/VertexOrigins.h"
 
 #include "vtkDataArray.h"
@@ -222,32 +223,15 @@ void RedGreenRun::StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& s
   replay(fits);
   auto left = static_cast<vtkIdType>(last.size() - fits);
   left = this->Others ? this->Others->Sum(left) : left;
-  std::string what = std::to_string(left) +
-    " places that the criteria ask for were not refined. The filter leaves out those with the "
-    "smallest errors first, the worst ones last: the output would have more than " +
-    std::to_string(
-      this->Others ? this->Options.MaximumNumberOfCells : static_cast<vtkIdType>(this->MostCells)) +
-    " cells, ";
-  what += memoryIsLimit ? "for which there is not enough memory. Use weaker criteria, a lower "
-                          "MaximumLevel, or a part of the input."
-                        : "which is MaximumNumberOfCells. Raise it, or use weaker criteria or a "
-                          "lower MaximumLevel.";
-  this->Warn(what);
+  this->Warn(DescribeLeftOut(left,
+    this->Others ? this->Options.MaximumNumberOfCells : static_cast<vtkIdType>(this->MostCells),
+    memoryIsLimit));
 }
 
 void RedGreenRun::WarnOfNotes(MarkNotes& notes)
 {
-  auto& edges = notes.WithoutValue;
-  SortDistinct(edges);
-  if (!edges.empty())
-  {
-    vtkDataArray* array = this->Options.Criteria.Attribute;
-    this->Warn(std::to_string(edges.size()) + " edges have a value of the point array \"" +
-      (array->GetName() ? array->GetName() : "") +
-      "\" that is not finite at one of their ends, the first joins points " +
-      std::to_string(edges[0].first) + " and " + std::to_string(edges[0].second) +
-      ": RefineByAttributeError does not refine them.");
-  }
+  NoteEdgesWithoutValue(
+    notes.WithoutValue, this->Options.Criteria.Attribute, "at one of their ends", this->Options);
   if (notes.TooShort > 0)
   {
     this->Warn(std::to_string(notes.TooShort) +

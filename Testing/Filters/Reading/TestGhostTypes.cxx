@@ -5,13 +5,21 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
+#include "vtkAMRBox.h"
 #include "vtkCellArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
+#include "vtkOverlappingAMR.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSubdivisionLabelSolid.h"
 #include "vtkSurfaceSubdivision.h"
+#include "vtkUniformGrid.h"
+
+#include <array>
+#include <cmath>
+#include <set>
 
 using namespace multi_dimensional_subdivision_tools;
 using Filter = vtkMultiDimensionalSubdivision;
@@ -149,6 +157,90 @@ void ExpectEnoughLayers(int enough, const Set& set)
   }
 }
 
+/// Four cubes side by side, of which two grids of eight smaller ones replace the second and the
+/// third.
+vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
+{
+  const auto amr = vtkSmartPointer<vtkOverlappingAMR>::New();
+  const std::vector<int> counts{ 1, 2 };
+  amr->Initialize(2, counts.data());
+  const double zero[3] = { 0., 0., 0. };
+  amr->SetOrigin(zero);
+  amr->SetGridDescription(VTK_XYZ_GRID);
+  const auto add = [&](unsigned int level, unsigned int index, double x, std::array<int, 3> size)
+  {
+    const double width = level == 0 ? 1. : 0.5;
+    const std::array<double, 3> spacing{ width, width, width };
+    const std::array<double, 3> origin{ x, 0., 0. };
+    vtkNew<vtkUniformGrid> grid;
+    grid->SetOrigin(origin.data());
+    grid->SetSpacing(spacing.data());
+    grid->SetDimensions(size.data());
+    if (level == 0)
+    {
+      constexpr unsigned char refined = vtkDataSetAttributes::REFINEDCELL;
+      SetGhosts(grid->GetCellData(), { 0, refined, refined, 0 });
+    }
+    amr->SetSpacing(level, spacing.data());
+    amr->SetAMRBox(
+      level, index, vtkAMRBox(origin.data(), size.data(), spacing.data(), zero, VTK_XYZ_GRID));
+    amr->SetDataSet(level, index, grid);
+  };
+  add(0, 0, 0., { 5, 2, 2 });
+  add(1, 0, 1., { 3, 3, 3 });
+  add(1, 1, 2., { 3, 3, 3 });
+  return amr;
+}
+
+}
+
+TEST(GhostTypes, LevelsOfAmrAreBlocks)
+{
+  vtkNew<Filter> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputDataObject(MakeLevels());
+  filter->SetNumberOfLevels(1);
+  filter->Update();
+  EXPECT_EQ(messages->CountWarnings("inside an edge"), 1); // of coarse cubes beside small ones
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_TRUE(made);
+  ASSERT_EQ(made->GetNumberOfBlocks(), 2u);
+  std::vector<vtkIdType> cells;
+  for (unsigned int level = 0; level < 2; ++level)
+  {
+    EXPECT_EQ(
+      made->GetMetaData(level)->Get(vtkCompositeDataSet::NAME()), "Level " + std::to_string(level));
+    auto* grids = vtkMultiBlockDataSet::SafeDownCast(made->GetBlock(level));
+    ASSERT_TRUE(grids);
+    for (unsigned int g = 0; g < grids->GetNumberOfBlocks(); ++g)
+    {
+      auto* grid = vtkUnstructuredGrid::SafeDownCast(grids->GetBlock(g));
+      ASSERT_TRUE(grid);
+      cells.push_back(grid->GetNumberOfCells());
+    }
+  }
+  const vtkIdType ofCube = cells[0] / 2;
+  EXPECT_GT(ofCube, 0);
+  EXPECT_EQ(cells, (std::vector<vtkIdType>{ 2 * ofCube, 8 * ofCube, 8 * ofCube }));
+  // Grids of a level are joined: both small ones have the same points where they meet.
+  auto* fine = vtkMultiBlockDataSet::SafeDownCast(made->GetBlock(1));
+  const auto middle = [&](unsigned int g)
+  {
+    std::set<Point> points;
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(fine->GetBlock(g));
+    for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+    {
+      const Point at = GetPoint(grid, p);
+      if (std::abs(at[0] - 2.) < 1e-6)
+      {
+        points.insert(at);
+      }
+    }
+    return points;
+  };
+  EXPECT_GT(middle(0).size(), 9u);
+  EXPECT_EQ(middle(0), middle(1));
 }
 
 TEST(GhostTypes, RefinedCellsAndThoseOfHiddenPointsAreNotThere)

@@ -314,3 +314,41 @@ TEST(SubdivisionLimitProbe, MissingPlaces)
   EXPECT_EQ(found->GetPointData()->GetArray("CellId")->GetComponent(1, 0), -1.);
   EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(2, 0) / 1e300, 1., 1e-12);
 }
+
+/// Where no cell is left, or there is no place, arrays have the length of the output.
+TEST(SubdivisionLimitProbe, ArraysOfNothing)
+{
+  const auto targets = place_tools::MakeTargets({ { 0.4, 0.3, 0.2 }, { 1., 0., 0. } });
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("OwnValues");
+  values->SetNumberOfValues(2);
+  values->FillValue(1.);
+  targets->GetPointData()->AddArray(values);
+  const Grid one = MakeModel(1);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("Ids");
+  ids->SetNumberOfValues(one->GetNumberOfPoints());
+  ids->FillValue(1);
+  one->GetPointData()->SetPedigreeIds(ids);
+  const auto expectLengths = [](vtkPolyData* found)
+  {
+    for (int a = 0; a < found->GetPointData()->GetNumberOfArrays(); ++a)
+    {
+      vtkAbstractArray* array = found->GetPointData()->GetAbstractArray(a);
+      EXPECT_EQ(array->GetNumberOfTuples(), found->GetNumberOfPoints()) << array->GetName();
+    }
+  };
+  expectLengths(Probe(one, {}));
+  for (const Grid& mesh : { MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, {}),
+         MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_LINE, { 0, 0 } } }) })
+  {
+    vtkNew<vtkSubdivisionLimitProbe> filter;
+    vtkNew<Messages> messages;
+    messages->Watch(filter);
+    filter->SetInputDataObject(mesh);
+    filter->SetInputDataObject(3, targets);
+    filter->Update();
+    EXPECT_FALSE(messages->Errors.empty() && messages->Warnings.empty());
+    expectLengths(filter->GetOutput());
+  }
+}
