@@ -43,8 +43,8 @@ int vtkExtractDimensions::RequestData(
   subdivision::ConnectToFilter(this, options, failed);
   const auto take = [&]
   {
-    const auto part =
-      subdivision::TakeDimensions(vtkDataObject::GetData(inputVector[0]), this->OutputDimensions);
+    const auto part = subdivision::TakeDimensions(
+      vtkDataObject::GetData(inputVector[0]), this->OutputDimensions, options.Warn);
     if (options.Progress(0.9))
     {
       return false;

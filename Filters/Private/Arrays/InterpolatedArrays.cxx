@@ -430,8 +430,8 @@ std::vector<Overshoot> PointArrays::FindOvershoot(
           const double beyond = std::max(low - value, value - high) / (high - low);
           ++array.NumberOfValues;
           const double largest = std::max(std::abs(low), std::abs(high));
-          if (low < high && beyond > GetRangeTie(values, largest, high - low) &&
-            (counted.empty() || counted[i]))
+          if (low < high && std::isfinite(value) &&
+            beyond > GetRangeTie(values, largest, high - low) && (counted.empty() || counted[i]))
           {
             ++array.Count;
             array.Most = std::max(array.Most, beyond);

@@ -57,7 +57,7 @@ public:
   void ListMaterials(InterpolationOptions& options) const
   {
     const int colours = this->GetNumberOfColours();
-    options.NumberOfMaterials = this->Whole.NumberOfMaterials;
+    options.NumberOfMaterials = std::max(1, this->Whole.NumberOfMaterials);
     options.Materials.assign(
       static_cast<std::size_t>(colours * this->Mesh->GetNumberOfPoints()), 0);
     for (const vtkIdType i : InTurn(this->Whole.GetSize()))

@@ -47,7 +47,12 @@ std::string ListReplaced(const ReplacedValues& replaced, bool ofTexture)
     if (what.IsTexture == ofTexture)
     {
       text << (text.tellp() > 0 ? ", " : "") << '"' << name << "\" (" << what.Points
-           << (what.Points == 1 ? " point" : " points") << ", by up to " << what.Most << ")";
+           << (what.Points == 1 ? " point" : " points");
+      if (what.Most > 0.) // texts differ by no number
+      {
+        text << ", by up to " << what.Most;
+      }
+      text << ")";
     }
   }
   return text.str();

@@ -8,6 +8,7 @@
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
@@ -65,8 +66,26 @@ double GetRounding(vtkDataArray* array)
   return !IsFloating(array) ? 0. : array->GetDataType() == VTK_FLOAT ? 2.5e-7 : 1e-12;
 }
 
+/// By how much components of two arrays of one type differ, 0 where that is no number; -1: they are
+/// the same.
+double FindDifference(
+  vtkAbstractArray* a, vtkIdType i, vtkAbstractArray* b, vtkIdType k, int component)
+{
+  const int size = a->GetNumberOfComponents();
+  auto* numbers = vtkDataArray::SafeDownCast(a);
+  if (!numbers)
+  {
+    const vtkVariant value = a->GetVariantValue(i * size + component);
+    return value == b->GetVariantValue(k * size + component) ? -1. : 0.;
+  }
+  const double x = numbers->GetComponent(i, component);
+  const double y = static_cast<vtkDataArray*>(b)->GetComponent(k, component);
+  const double difference = std::isfinite(x - y) ? std::abs(x - y) : 0.;
+  return DoDiffer(x, y, GetRounding(numbers)) ? difference : -1.;
+}
+
 /// Whether an array has values of points, and no numbers of them.
-bool HasValuesOfPoints(vtkDataArray* array, vtkPointData* data)
+bool HasValuesOfPoints(vtkAbstractArray* array, vtkPointData* data)
 {
   const std::string name = array->GetName() ? array->GetName() : "";
   return !name.empty() && array != data->GetGlobalIds() && array != data->GetPedigreeIds() &&
@@ -130,8 +149,12 @@ public:
     std::ostringstream text;
     for (const auto& [name, difference] : this->OfArrays)
     {
-      text << (text.tellp() > 0 ? ", " : "") << "by up to " << difference.Most
-           << " in the point array \"" << name << "\" (blocks " << difference.Blocks[0] << " and "
+      text << (text.tellp() > 0 ? ", " : "");
+      if (difference.Most > 0.)
+      {
+        text << "by up to " << difference.Most << " ";
+      }
+      text << "in the point array \"" << name << "\" (blocks " << difference.Blocks[0] << " and "
            << difference.Blocks[1] << ")";
     }
     return text.str();
@@ -140,8 +163,8 @@ public:
 private:
   struct ArrayPair
   {
-    vtkDataArray* A;
-    vtkDataArray* B;
+    vtkAbstractArray* A;
+    vtkAbstractArray* B;
   };
 
   const std::vector<ArrayPair>& FindPairs(size_t a, size_t b)
@@ -152,9 +175,9 @@ private:
     vtkPointData* data = mesh->GetPointData();
     for (int i = 0; isNew && i < data->GetNumberOfArrays(); ++i)
     {
-      vtkDataArray* array = data->GetArray(i);
-      vtkDataArray* same = array && HasValuesOfPoints(array, data)
-        ? other->GetPointData()->GetArray(array->GetName())
+      vtkAbstractArray* array = data->GetAbstractArray(i);
+      vtkAbstractArray* same = HasValuesOfPoints(array, data)
+        ? other->GetPointData()->GetAbstractArray(array->GetName())
         : nullptr;
       if (same && same->GetDataType() == array->GetDataType() &&
         same->GetNumberOfComponents() == array->GetNumberOfComponents() &&
@@ -174,12 +197,12 @@ private:
     {
       for (int c = 0; c < pair.A->GetNumberOfComponents(); ++c)
       {
-        const double x = pair.A->GetComponent(static_cast<vtkIdType>(i), c);
-        const double y = pair.B->GetComponent(static_cast<vtkIdType>(k), c);
-        if (DoDiffer(x, y, GetRounding(pair.A)))
+        const double difference =
+          FindDifference(pair.A, static_cast<vtkIdType>(i), pair.B, static_cast<vtkIdType>(k), c);
+        if (difference >= 0.)
         {
           isOther = true;
-          this->Add(a, b, std::isfinite(x - y) ? std::abs(x - y) : 0., pair);
+          this->Add(a, b, difference, pair);
         }
       }
     }
@@ -250,14 +273,22 @@ std::vector<std::uint64_t> HashValues(const MeshPart& part)
   vtkPointData* data = part.Mesh->GetPointData();
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
-    vtkDataArray* array = data->GetArray(a);
-    const bool isUsed = array && HasValuesOfPoints(array, data) &&
-      array->GetNumberOfTuples() == part.Mesh->GetNumberOfPoints();
-    const std::uint64_t name = isUsed ? std::hash<std::string>()(array->GetName()) : 0;
+    vtkAbstractArray* given = data->GetAbstractArray(a);
+    const bool isUsed = HasValuesOfPoints(given, data) &&
+      given->GetNumberOfTuples() == part.Mesh->GetNumberOfPoints();
+    auto* array = vtkDataArray::SafeDownCast(given);
+    const std::uint64_t name = isUsed ? std::hash<std::string>()(given->GetName()) : 0;
     for (const size_t i : InTurn(isUsed ? hashes.size() : size_t(0)))
     {
-      for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+      for (int c = 0; c < given->GetNumberOfComponents(); ++c)
       {
+        if (!array)
+        {
+          const vtkIdType at = static_cast<vtkIdType>(i) * given->GetNumberOfComponents() + c;
+          const std::string text = given->GetVariantValue(at).ToString();
+          hashes[i] += Mix(name + static_cast<std::uint64_t>(c), std::hash<std::string>()(text));
+          continue;
+        }
         const double value = array->GetComponent(static_cast<vtkIdType>(i), c);
         const float rounded = std::isnan(value) ? 0.f : static_cast<float>(value) + 0.f;
         std::uint32_t bits = std::isnan(value) ? 1 : 0;

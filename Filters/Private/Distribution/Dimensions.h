@@ -8,6 +8,9 @@
 
 #include "vtkSmartPointer.h"
 
+#include <functional>
+#include <string>
+
 class vtkDataObject;
 
 namespace subdivision
@@ -21,9 +24,10 @@ constexpr int AllDimensions = 15;
  * the points that these cells use, in the order of the input, with all point and cell arrays.
  * `data` is a vtkUnstructuredGrid, a vtkPolyData, or a composite data set of these. Field data are
  * shared, but for a stamp: a filter cannot go on with a part of the cells. With AllDimensions the
- * result is `data`.
+ * result is `data`. Else `warn` tells of cells with points that do not exist, which are left out.
  */
-vtkSmartPointer<vtkDataObject> TakeDimensions(vtkDataObject* data, int dimensions);
+vtkSmartPointer<vtkDataObject> TakeDimensions(
+  vtkDataObject* data, int dimensions, const std::function<void(const std::string&)>& warn);
 
 }
 

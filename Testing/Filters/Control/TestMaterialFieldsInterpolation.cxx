@@ -7,6 +7,7 @@
 #include "MaterialTools.h"
 
 #include "vtkMultiBlockDataSet.h"
+#include "vtkSurfaceSubdivision.h"
 
 #include <cmath>
 #include <map>
@@ -374,6 +375,43 @@ TEST(MaterialFieldsInterpolation, AFile)
     {
       ASSERT_NEAR(
         values->GetComponent(id, k), data->GetArray(ValueName)->GetComponent(p, k), 2e-10);
+    }
+  }
+}
+
+TEST(MaterialFieldsInterpolation, NothingToInterpolate)
+{
+  // Points without cells, and a cell that is left out.
+  for (const std::vector<Cell>& cells :
+    { std::vector<Cell>{}, std::vector<Cell>{ { VTK_TRIANGLE, { 0, 1, 1 } } } })
+  {
+    const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, cells);
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("T");
+    values->SetNumberOfValues(3);
+    values->FillValue(1.);
+    grid->GetPointData()->AddArray(values);
+    vtkNew<vtkIntArray> materials;
+    materials->SetName("M");
+    materials->SetNumberOfValues(grid->GetNumberOfCells());
+    materials->FillValue(1);
+    grid->GetCellData()->AddArray(materials);
+    for (const bool isOfSurfaces : { false, true })
+    {
+      const auto run = [&](auto filter)
+      {
+        vtkNew<Messages> messages;
+        messages->Watch(filter);
+        filter->SetInputDataObject(grid);
+        filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "M");
+        filter->PreserveInterfacesOn();
+        filter->SetInterfaceValuesToDiscontinuous();
+        filter->InterpolateArraysOn();
+        filter->Update();
+        EXPECT_TRUE(messages->Errors.empty());
+      };
+      isOfSurfaces ? run(vtkNew<vtkSurfaceSubdivision>().Get())
+                   : run(vtkNew<vtkMultiDimensionalSubdivision>().Get());
     }
   }
 }

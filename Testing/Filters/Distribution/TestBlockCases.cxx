@@ -304,6 +304,34 @@ TEST(BlockCases, NeighboursKeepDifferentValues)
   }
 }
 
+TEST(BlockCases, NeighboursKeepDifferentTexts)
+{
+  const std::vector<Grid> inputs = { MakeFan(0, 1, 300.), MakeFan(1, 1, 300.) };
+  for (int i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkStringArray> names;
+    names->SetName("Name");
+    for (vtkIdType p = 0; p < inputs[i]->GetNumberOfPoints(); ++p)
+    {
+      names->InsertNextValue(i == 0 ? "a" : "b");
+    }
+    inputs[i]->GetPointData()->AddArray(names);
+  }
+  vtkNew<Messages> messages;
+  const auto outputs = RunOn(MakeBlocks(inputs), 1, messages);
+  EXPECT_EQ(messages->CountWarnings("they differ in the point array \"Name\" (blocks"), 1);
+  for (int i = 0; i < 2; ++i)
+  {
+    auto* names =
+      vtkStringArray::SafeDownCast(outputs[i]->GetPointData()->GetAbstractArray("Name"));
+    ASSERT_TRUE(names);
+    for (vtkIdType p = 0; p < names->GetNumberOfValues(); ++p)
+    {
+      EXPECT_EQ(names->GetValue(p), i == 0 ? "a" : "b");
+    }
+  }
+}
+
 TEST(BlockCases, RoundingIsNoDifference)
 {
   const Grid a = MakeFan(0, 1, 0.1 + 0.2);

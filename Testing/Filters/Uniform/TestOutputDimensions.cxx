@@ -248,3 +248,20 @@ TEST(ExtractDimensions, ReadsPolyData)
   EXPECT_EQ(part->GetCellData()->GetArray(0)->GetComponent(0, 0),
     data->GetCellData()->GetArray(0)->GetComponent(1, 0));
 }
+
+TEST(OutputDimensions, CellsWithPointsThatDoNotExistAreTold)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 99 } }, { VTK_LINE, { -1, 0 } } });
+  vtkNew<vtkExtractDimensions> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputData(grid);
+  filter->SetOutputDimensions(8);
+  filter->Update();
+  EXPECT_EQ(
+    messages->CountWarnings("1 cell(s) have points that do not exist, the first is cell 1"), 1);
+  auto* output = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_EQ(output->GetNumberOfCells(), 1);
+  EXPECT_EQ(GetCell(output, 0), (Ids{ 0, 1, 2, 3 }));
+}
