@@ -366,7 +366,10 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     };
     done = ranks > 1 ? join() : DoWork(traits, options, join); // other ranks wait for this one
     blocks = std::move(partitions[0]);
-    failed = messages.Tell(exchange);
+    failed = messages.Tell(exchange,
+      done                  ? RunEnd::Done
+        : IsAborted(filter) ? RunEnd::Stopped
+                            : RunEnd::NotDone);
   }
   else
   {
