@@ -106,21 +106,6 @@ struct PartitionWork
   const FilterWork& Work;
 };
 
-/// How many layers of ghost cells the output has.
-int CountGhostLayers(const PartitionWork& run)
-{
-  const int wanted = run.Distribution.GhostLayers;
-  if (wanted < 2 || !run.AreStamped || !HaveRegions(run.Parts))
-  {
-    return wanted;
-  }
-  run.Options.Warn("A filter downstream asks for " + std::to_string(wanted) +
-    " layers of ghost cells. The output has one, because an earlier filter made the input, and "
-    "with "
-    "this scheme what lies farther away is not known. One filter with all levels has them.");
-  return 1;
-}
-
 /// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks;
 /// `rounds`: null if the work does not need the others.
 bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
@@ -147,7 +132,6 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       {
         joined.Mesh = run.Distribution.Change(joined.Mesh);
       }
-      const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
       if (rounds)
       {
@@ -161,7 +145,7 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       joined.Mesh = nullptr;
       OutputOptions output;
       output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
-      output.GhostLayers = ghostLayers;
+      output.GhostLayers = run.Distribution.GhostLayers;
       if (run.HaveOwn)
       {
         whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
