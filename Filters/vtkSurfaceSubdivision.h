@@ -118,8 +118,10 @@
  * for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity, the
  * last two with the flags of the first input. Angles and flatness of corners are those of the first
  * input. After ProjectToLimit, or if cells were changed in between, the next filter takes the mesh
- * for a new one. Only the first filter knows global ids. On several ranks filters go on as long as
- * the cells of each rank stay together; else the next one takes the mesh for a new one, and warns.
+ * for a new one. Only the first filter knows global ids. On several ranks filters of LOOP,
+ * MODIFIED_BUTTERFLY, CATMULL_CLARK and LINEAR go on as long as the cells of each rank stay
+ * together; else, and with the other schemes, the next one takes the mesh for a new one, and warns.
+ * One filter with all levels has the same output on any number of ranks.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; incidences are searched on the input only.

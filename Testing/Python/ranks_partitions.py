@@ -11,6 +11,7 @@ import pathlib
 import numpy as np
 import rank_tools as ranks
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkObject
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSetCollection
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
@@ -46,9 +47,14 @@ PROXIES = {"vtkMultiDimensionalSubdivision": "MultidimensionalSubdivision", "vtk
            "vtkRedGreenRefinement": "RedGreenRefinement"}
 
 
-def run_class(name, options, data, controller):
+def run_class(name, options, data, controller, warnings=None):
     made = getattr(subdivisionobjects, name)()
     made.SetController(controller)
+    if warnings is not None:
+        def keep(_, __, text):
+            warnings.append(text)
+        keep.CallDataType = VTK_STRING
+        made.AddObserver("WarningEvent", keep)
     for key, value in options.items():
         getattr(made, "Set" + key)(value)
     made.SetInputDataObject(data)
@@ -159,6 +165,27 @@ def check_filters_in_a_row(checks, mesh, options, name=SOLID[0][0], with_ids=1):
     checks.compare(f"two filters {options} on {mesh.GetNumberOfCells()} cells, {cut}", whole, [part])
 
 
+def check_filters_afresh(checks, mesh, scheme):
+    """With schemes that do not halve edges the second filter takes the cells as any other mesh, and says so."""
+    options = {"DetectFeatures": 1, "Scheme": scheme, "NumberOfLevels": 1, "GenerateGlobalIds": 1}
+    whole = run_class("vtkSurfaceSubdivision", options, mesh, None)
+    field = whole.GetFieldData()
+    for name in [field.GetArrayName(i) for i in range(field.GetNumberOfArrays())]:
+        if name.startswith("Subdivision"):
+            field.RemoveArray(name)
+    whole = run_class("vtkSurfaceSubdivision", options, whole, None)
+    for find in (ranks.on_last_rank, ranks.in_slabs):
+        part = ranks.take(mesh, np.nonzero(find(mesh, ranks.RANKS) == ranks.RANK)[0], with_ids=True)
+        part = run_class("vtkSurfaceSubdivision", options, part, ranks.controller)
+        warnings = []
+        vtkObject.GlobalWarningDisplayOn()
+        part = run_class("vtkSurfaceSubdivision", options, part, ranks.controller, warnings)
+        vtkObject.GlobalWarningDisplayOff()
+        checks.compare(f"two filters of scheme {scheme} afresh, {find.__name__}", whole, [part])
+        if ranks.RANK == 0 and not any("does not go on over ranks" in text for text in warnings):
+            checks.failures.append(f"scheme {scheme} starts afresh without a warning: {warnings}")
+
+
 def check_topology(checks):
     """Each simplex is there once, with the facts that one process finds."""
     mesh = model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS)
@@ -248,8 +275,11 @@ def run():
     checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])
     check_filters_in_a_row(checks, skin, INTERPOLATED, "vtkSurfaceSubdivision")
     check_files(checks)
-    for scheme in range(3):  # of the others parts on ranks go on only where each rank has some
-        check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
+    for scheme in range(7):
+        if scheme < 3:
+            check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
+        else:
+            check_filters_afresh(checks, skin, scheme)
     return checks.finish()
 
 

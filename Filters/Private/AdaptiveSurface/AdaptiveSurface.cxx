@@ -22,7 +22,6 @@
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
 #include "Private/Surface/SurfaceNumbers.h"
-#include "Private/Surface/SurfaceRegion.h"
 #include "Private/Surface/SurfaceStamp.h"
 
 #include "vtkCellData.h"
@@ -172,7 +171,6 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
   this->WritePoints(plan);
   RebuildPointGhosts(this->Input, this->Output);
   RemoveSurfaceStamp(this->Output);
-  RemoveRegion(this->Output);
   if (this->Others && this->Options.GenerateGlobalIds)
   {
     WriteNumbers(NumberAdaptiveSurface(this->Input, this->Cells, this->Control, *this->Mesh, plan,

@@ -69,11 +69,6 @@ constexpr const char* ControlPointsName = "SubdivisionControlPoints";
 constexpr int ControlPointComponents = 6;
 constexpr const char* ControlCreasesName = "SubdivisionControlCreases";
 constexpr int CreaseComponents = 3;
-/// The field arrays with the points and cells of the region of a part (SurfaceRegion.h), and what
-/// tells whether the cells of a block are still those that it had.
-constexpr const char* RegionPointsName = "SubdivisionRegionPoints";
-constexpr const char* RegionCellsName = "SubdivisionRegionCells";
-constexpr const char* RegionBlockName = "SubdivisionRegionBlock";
 
 struct Stamp
 {

@@ -367,7 +367,7 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
   }
   if (HasStamp(whole))
   {
-    WriteStampedNumbers(numbers.first, numbers.second, block, output);
+    WriteStampedNumbers(numbers.first, numbers.second, output);
   }
 }
 

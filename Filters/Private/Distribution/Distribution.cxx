@@ -108,21 +108,6 @@ struct PartitionWork
   const FilterWork& Work;
 };
 
-/// How many layers of ghost cells the output has.
-int CountGhostLayers(const PartitionWork& run)
-{
-  const int wanted = run.Distribution.GhostLayers;
-  if (wanted < 2 || !run.AreStamped || !HaveRegions(run.Parts))
-  {
-    return wanted;
-  }
-  run.Options.Warn("A filter downstream asks for " + std::to_string(wanted) +
-    " layers of ghost cells. The output has one, because an earlier filter made the input, and "
-    "with "
-    "this scheme what lies farther away is not known. One filter with all levels has them.");
-  return 1;
-}
-
 /// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks;
 /// `rounds`: null if the work does not need the others.
 bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
@@ -149,7 +134,6 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       {
         joined.Mesh = run.Distribution.Change(joined.Mesh);
       }
-      const int ghostLayers = CountGhostLayers(run);
       run.Parts.clear();
       if (rounds)
       {
@@ -163,7 +147,7 @@ bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
       joined.Mesh = nullptr;
       OutputOptions output;
       output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
-      output.GhostLayers = ghostLayers;
+      output.GhostLayers = run.Distribution.GhostLayers;
       if (run.HaveOwn)
       {
         whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
@@ -372,7 +356,10 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
     };
     done = ranks > 1 ? join() : DoWork(traits, options, join); // other ranks wait for this one
     blocks = std::move(partitions[0]);
-    failed = messages.Tell(exchange);
+    failed = messages.Tell(exchange,
+      done                  ? RunEnd::Done
+        : IsAborted(filter) ? RunEnd::Stopped
+                            : RunEnd::NotDone);
   }
   else
   {

@@ -30,9 +30,6 @@ struct MeshPart
   std::vector<vtkIdType> Cells;
   /// If an earlier filter made the mesh, and this one goes on: the steps since the control mesh.
   int Levels = 0;
-  /// If not empty: the ids of the points all cells between which the partition gets, in the place
-  /// of layers. The first part of a partition has them.
-  std::vector<vtkIdType> Region{};
   /// The number of the block in the composite data set, also where another partition has it; its
   /// case, and whether it keeps its values where others have other ones (BlockCases.h).
   int Index = 0;

@@ -129,20 +129,6 @@ std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
   return ids;
 }
 
-/// The same with the region, if the partition has one.
-std::vector<vtkIdType> FindWishedIds(const Partition& partition, size_t first, bool withRegion)
-{
-  std::vector<vtkIdType> ids = FindPointIds(partition, first);
-  if (withRegion && !partition.Parts->empty())
-  {
-    const std::vector<vtkIdType>& region = partition.Parts->front().Region;
-    std::copy_if(
-      region.begin(), region.end(), std::back_inserter(ids), [](vtkIdType id) { return id >= 0; });
-    SortDistinct(ids);
-  }
-  return ids;
-}
-
 /// Which groups are wished: those with a wished point, or those all of whose points are.
 enum class Extent
 {
@@ -244,11 +230,8 @@ vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& ex
   {
     for (const MeshPart& part : partition)
     {
-      for (const auto* ids : { &part.Points, &part.Region })
-      {
-        last = std::accumulate(
-          ids->begin(), ids->end(), last, [](vtkIdType a, vtkIdType b) { return std::max(a, b); });
-      }
+      last = std::accumulate(part.Points.begin(), part.Points.end(), last,
+        [](vtkIdType a, vtkIdType b) { return std::max(a, b); });
     }
   }
   return exchange.Max(last) + 1;
@@ -259,15 +242,11 @@ std::pair<int, int> CountExchanges(
   const std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
 {
   vtkIdType most = 0;
-  vtkIdType mostRegion = 0;
   for (const auto& partition : parts)
   {
     most = std::max<vtkIdType>(most, partition.empty() ? 0 : partition[0].Levels);
-    mostRegion =
-      std::max<vtkIdType>(mostRegion, partition.empty() || partition[0].Region.empty() ? 0 : 1);
   }
-  const bool hasRegion = exchange.Max(mostRegion) > 0;
-  return { layers, exchange.Max(most) > 0 || hasRegion ? 1 : 0 };
+  return { layers, exchange.Max(most) > 0 ? 1 : 0 };
 }
 
 }
@@ -294,8 +273,7 @@ std::vector<SentLayers> AddLayers(
     {
       Partition& partition = partitions[i];
       partition.GroupNewParts();
-      const std::vector<vtkIdType> ids =
-        FindWishedIds(partition, seen[i], extent == Extent::Inside);
+      const std::vector<vtkIdType> ids = FindPointIds(partition, seen[i]);
       seen[i] = partition.Parts->size();
       std::vector<vtkIdType> fresh;
       std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),

@@ -43,9 +43,6 @@ struct SentLayers
  * points that count. Then one exchange more brings the simplices that lie inside the last layer:
  * without them lines and triangles that are faces of its solids would be numbered in another order.
  *
- * Where a partition has a MeshPart::Region, so have all, and one such exchange brings the cells
- * inside: there are no layers.
- *
  * Returns what each partition of this rank sent.
  */
 std::vector<SentLayers> AddLayers(

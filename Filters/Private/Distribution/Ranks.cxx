@@ -129,10 +129,18 @@ RankMessages::RankMessages(RunOptions& options)
   };
 }
 
-bool RankMessages::Tell(Exchange& ranks)
+bool RankMessages::Tell(Exchange& ranks, RunEnd end)
 {
   const bool one = ranks.GetNumberOfRanks() == 1;
-  const int failed = static_cast<int>(ranks.Max(this->Failed ? 1 : 0));
+  const auto worst =
+    static_cast<RunEnd>(ranks.Max(static_cast<vtkIdType>(this->Failed ? RunEnd::Failed : end)));
+  if (worst == RunEnd::NotDone)
+  {
+    this->Error = "The filter ended without an output, and nothing said why: blocks or ranks did "
+                  "not take the same steps. This is a defect of the filter; please report it. "
+                  "Spread the cells in another way, use one rank, or switch JoinBlocks off.";
+    this->Failed = true;
+  }
   std::string all;
   for (const std::string& warning : this->Warnings)
   {
@@ -159,7 +167,7 @@ bool RankMessages::Tell(Exchange& ranks)
       hasError = hasError || isError;
     }
   }
-  return failed != 0;
+  return worst == RunEnd::NotDone || worst == RunEnd::Failed;
 }
 
 int CountRanksOfMachine(Exchange& ranks)

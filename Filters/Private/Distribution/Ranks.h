@@ -14,6 +14,15 @@
 namespace subdivision
 {
 
+/// How the work of a rank ended. That of all ended as that of the rank whose end comes last here.
+enum class RunEnd
+{
+  Done,
+  NotDone, ///< it has no output, and said nothing
+  Stopped, ///< by the user
+  Failed
+};
+
 /// Collects the messages of all ranks. Rank 0 gives them, each text once.
 class RankMessages
 {
@@ -22,8 +31,9 @@ public:
   explicit RankMessages(RunOptions& options);
 
   /// Called by all ranks: gives the warnings of all and, if there are errors, that of the first
-  /// rank that has one. Other ranks that failed give no message. Returns whether one failed.
-  bool Tell(Exchange& ranks);
+  /// rank that has one. Other ranks that failed give no message. Returns whether one failed; if
+  /// there is no output although nobody failed or stopped, that is an error too.
+  bool Tell(Exchange& ranks, RunEnd end);
 
 private:
   std::function<void(const std::string&)> Warn;

@@ -77,35 +77,6 @@ bool TakeNumbers(MeshPart& part)
     ReadNumbers(field, BlockCellsName, part.Mesh->GetNumberOfCells(), part.Cells);
 }
 
-bool HasRegion(vtkPointSet* mesh)
-{
-  return mesh->GetFieldData()->HasArray(RegionPointsName);
-}
-
-/// What does not depend on the order of cells, and tells that none was added or taken away. Less
-/// than 2^53, so that a double holds it.
-template <typename IsOwn>
-vtkIdType ComputeSum(const vtkIdType* cells, vtkIdType size, const IsOwn& isOwn)
-{
-  unsigned long long sum = 0;
-  for (const vtkIdType c : InTurn(size))
-  {
-    auto bits = static_cast<unsigned long long>(isOwn(c) ? cells[c] + 1 : 0);
-    bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9ull;
-    bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebull;
-    sum += bits ^ (bits >> 31);
-  }
-  return static_cast<vtkIdType>(sum >> 12);
-}
-
-/// Whether all cells are those that a block of a region had, and the block is where it was.
-bool IsOfRegion(const MeshPart& part)
-{
-  const vtkIdType sum = ComputeSum(part.Cells.data(), static_cast<vtkIdType>(part.Cells.size()),
-    [&part](vtkIdType c) { return part.Cells[c] >= 0; });
-  return ReadFieldIds(RegionBlockName, part.Mesh->GetFieldData()) == Ids{ sum, part.Block };
-}
-
 /// Whether a part has all green cells of each of its leaves.
 bool AreLeavesWhole(const MeshPart& part, const CellGroups& groups)
 {
@@ -129,10 +100,6 @@ bool TakeNumbersOfPart(MeshPart& part, Stamp& stamp)
     return false;
   }
   LeaveOutDuplicates(part);
-  if (HasRegion(part.Mesh))
-  {
-    return IsOfRegion(part);
-  }
   part.Levels = stamp.Levels;
   CellGroups groups;
   return FindGroups(part, groups) && AreLeavesWhole(part, groups);
@@ -320,16 +287,8 @@ bool HasStamp(vtkPointSet* mesh)
     mesh->GetFieldData()->HasArray(SurfaceStampName);
 }
 
-void WriteStampedNumbers(
-  vtkIdTypeArray* points, vtkIdTypeArray* cells, int index, vtkPointSet* block)
+void WriteStampedNumbers(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* block)
 {
-  if (HasRegion(block))
-  {
-    const unsigned char* types = GetGhosts(block, cells->GetNumberOfValues());
-    const vtkIdType sum = ComputeSum(cells->GetPointer(0), cells->GetNumberOfValues(),
-      [types](vtkIdType c) { return !types || !(types[c] & vtkDataSetAttributes::DUPLICATECELL); });
-    WriteField<vtkIdTypeArray>(RegionBlockName, Ids{ sum, index }, block->GetFieldData());
-  }
   points->SetName(BlockPointsName);
   cells->SetName(BlockCellsName);
   block->GetFieldData()->AddArray(points);
@@ -360,29 +319,19 @@ bool TakeNumbersOfParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exc
   }
   Ids cells;
   std::vector<Stamp> stamps;
-  vtkIdType regions = 0;
   for (auto& partition : parts)
   {
     cells.push_back(0);
-    if (!partition.empty())
-    {
-      partition[0].Region = ReadFieldIds(RegionPointsName, partition[0].Mesh->GetFieldData());
-    }
     for (MeshPart& part : partition)
     {
       stamps.emplace_back();
-      regions += HasRegion(part.Mesh) ? 1 : 0;
-      taken =
-        taken && partition[0].Region == ReadFieldIds(RegionPointsName, part.Mesh->GetFieldData());
       taken = taken && TakeNumbersOfPart(part, stamps.back());
       cells.back() += taken ? std::count_if(part.Cells.begin(), part.Cells.end(),
                                 [](vtkIdType cell) { return cell >= 0; })
                             : 0;
     }
   }
-  const vtkIdType mostRegions = exchange.Max(regions > 0 ? 1 : 0);
-  if (!exchange.Agree(
-        taken && regions == (mostRegions > 0 ? static_cast<vtkIdType>(stamps.size()) : 0)))
+  if (!exchange.Agree(taken))
   {
     return false;
   }
@@ -413,16 +362,9 @@ bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exc
     for (MeshPart& part : partition)
     {
       part.Levels = taken ? part.Levels : 0;
-      part.Region.resize(taken ? part.Region.size() : 0);
     }
   }
   return taken;
-}
-
-bool HaveRegions(const std::vector<MeshPart>& parts)
-{
-  return std::any_of(
-    parts.begin(), parts.end(), [](const MeshPart& part) { return HasRegion(part.Mesh); });
 }
 
 bool RestoreStamp(
@@ -438,7 +380,7 @@ bool RestoreStamp(
   // A block that is the whole output of an earlier filter has the stamp of that.
   const bool isWholeOutput =
     !taken && !isPartial && isWhole && parts.size() == 1 && !field->HasArray(BlockPointsName);
-  if (isWholeOutput || (taken && HasRegion(parts[0].Mesh)))
+  if (isWholeOutput)
   {
     CopyStamp(field, joined.Mesh->GetFieldData());
     return true;

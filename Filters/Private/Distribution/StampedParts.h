@@ -19,19 +19,14 @@ namespace subdivision
 /// Whether an earlier filter made a mesh.
 bool HasStamp(vtkPointSet* mesh);
 
-/// Adds the numbers of the points and cells of block `index` to its field data. The arrays
-/// themselves, which get other names.
-void WriteStampedNumbers(
-  vtkIdTypeArray* points, vtkIdTypeArray* cells, int index, vtkPointSet* block);
+/// Adds the numbers of the points and cells of a block to its field data. The arrays themselves,
+/// which get other names.
+void WriteStampedNumbers(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* block);
 
-/// Sets Points and Cells of the parts of all partitions to these numbers, and Levels or Region; all
-/// ranks call it. Returns false on all of them, and the parts are undefined, unless all parts come
+/// Sets Points and Cells of the parts of all partitions to these numbers, and Levels; all ranks
+/// call it. Returns false on all of them, and the parts are undefined, unless all parts come
 /// from one output, and nothing of it is missing.
 bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
-
-/// Whether parts that an earlier filter made have regions (SurfaceRegion.h). What lies around them
-/// is then right one layer far.
-bool HaveRegions(const std::vector<MeshPart>& parts);
 
 /// Whether a field array has ids of a stamp that all partitions around the block have to know.
 bool IsStampedList(vtkAbstractArray* array);

@@ -3,12 +3,13 @@
 
 #include "Core/Memory/Coordinates.h"
 
+#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPoints.h"
+#include "vtkPolygon.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 
 namespace subdivision
 {
@@ -35,6 +36,54 @@ void Scale(Vector3& a, double factor)
     x *= factor;
   }
 }
+
+/// Twice the area of a triangle, positive if its corners run anticlockwise.
+double Cross2(const double* a, const double* b, const double* p)
+{
+  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+double Distance2(const double* a, const double* b)
+{
+  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
+}
+
+/// A triangle in the plane whose corners run anticlockwise. Sines below `leastSine` count as zero.
+class EarTriangle
+{
+public:
+  EarTriangle(const double* a, const double* b, const double* c, double leastSine)
+    : Sides{ { a, b, Distance2(a, b) }, { b, c, Distance2(b, c) }, { c, a, Distance2(c, a) } }
+    , LeastSine(leastSine)
+  {
+  }
+  /// Whether the point is neither outside nor at the same place as a corner: where two parts of the
+  /// polygon touch (a bridge to a hole) points coincide.
+  bool Contains(const double* point) const
+  {
+    for (const Side& side : this->Sides)
+    {
+      const double toPoint2 = Distance2(side.From, point);
+      if (toPoint2 == 0. ||
+        -Cross2(side.From, side.To, point) > this->LeastSine * std::sqrt(side.Length2 * toPoint2))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+private:
+  struct Side
+  {
+    const double* From;
+    const double* To;
+    double Length2;
+  };
+
+  Side Sides[3];
+  double LeastSine;
+};
 
 /// Moves the points to the origin and to size 1, so that no product overflows, however large they
 /// are.
@@ -125,9 +174,9 @@ const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* l
 {
   this->Triangles.clear();
   this->Project(loop, size);
-  if (this->Searches())
+  if (size > MostCorners && this->CutByVTK())
   {
-    this->StartSearch();
+    return this->Triangles;
   }
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -148,43 +197,34 @@ const std::vector<std::array<vtkIdType, 3>>& PolygonEars::Cut(const vtkIdType* l
     previous.Next = corner.Next;
     next.Previous = corner.Previous;
     start = corner.Previous;
-    this->Remove(tip);
     this->Examine(corner.Previous);
     this->Examine(corner.Next);
   }
   return this->Triangles;
 }
 
-void PolygonEars::StartSearch()
+/// Cuts the polygon, projected, by vtkPolygon. Returns whether that found all triangles.
+bool PolygonEars::CutByVTK()
 {
   const auto size = static_cast<vtkIdType>(this->Corners.size());
-  this->ByRank.resize(this->Corners.size());
-  std::vector<std::array<double, 2>> places(this->Corners.size());
+  vtkNew<vtkPolygon> polygon;
+  polygon->GetPoints()->SetNumberOfPoints(size);
+  polygon->GetPointIds()->SetNumberOfIds(size);
   for (vtkIdType i = 0; i < size; ++i)
   {
-    this->ByRank[i] = i;
-    places[i] = { this->Corners[i].X[0], this->Corners[i].X[1] };
+    polygon->GetPoints()->SetPoint(i, this->Corners[i].X[0], this->Corners[i].X[1], 0.);
+    polygon->GetPointIds()->SetId(i, i);
   }
-  std::stable_sort(this->ByRank.begin(), this->ByRank.end(),
-    [this](vtkIdType a, vtkIdType b) { return this->Precedes(a, b); });
-  this->Ranks.resize(this->Corners.size());
-  for (vtkIdType rank = 0; rank < size; ++rank)
+  vtkNew<vtkIdList> corners;
+  vtkNew<vtkPoints> places;
+  const bool isCut =
+    polygon->Triangulate(0, corners, places) != 0 && corners->GetNumberOfIds() == 3 * (size - 2);
+  for (vtkIdType i = 0; isCut && i < 3 * (size - 2); i += 3)
   {
-    this->Ranks[this->ByRank[rank]] = rank;
+    const auto idOf = [&](vtkIdType k) { return this->Corners[corners->GetId(k)].Id; };
+    this->Triangles.push_back({ idOf(i), idOf(i + 1), idOf(i + 2) });
   }
-  this->Diagonals.Reset(size);
-  this->Harms.Reset(size);
-  this->Left.Reset(std::move(places));
-}
-
-void PolygonEars::Remove(vtkIdType tip)
-{
-  if (this->Searches())
-  {
-    this->Diagonals.Set(this->Ranks[tip], std::numeric_limits<double>::infinity());
-    this->Harms.Set(this->Ranks[tip], std::numeric_limits<double>::infinity());
-    this->Left.Remove(tip);
-  }
+  return isCut;
 }
 
 void PolygonEars::Project(const vtkIdType* loop, vtkIdType size)
@@ -234,24 +274,14 @@ void PolygonEars::Examine(vtkIdType tip)
   Corner& corner = this->Corners[tip];
   corner.Diagonal2 = Distance2(this->Corners[corner.Previous].X, this->Corners[corner.Next].X);
   corner.IsEar = this->Bends(corner, 1) && this->IsFree(tip);
-  if (this->Searches())
-  {
-    this->Diagonals.Set(
-      this->Ranks[tip], corner.IsEar ? corner.Diagonal2 : std::numeric_limits<double>::infinity());
-    this->Harms.Set(this->Ranks[tip], this->Bends(corner, -1) ? 1. : 0.);
-  }
 }
 
+/// Whether no other corner is in the triangle that cutting the corner off would make.
 bool PolygonEars::IsFree(vtkIdType tip) const
 {
   const Corner& corner = this->Corners[tip];
-  EarTriangle triangle(
+  const EarTriangle triangle(
     this->Corners[corner.Previous].X, corner.X, this->Corners[corner.Next].X, this->LeastSine);
-  if (this->Searches())
-  {
-    triangle.Bound();
-    return !this->Left.HasAnyIn(triangle, { corner.Previous, tip, corner.Next });
-  }
   vtkIdType other = this->Corners[corner.Next].Next;
   for (; other != corner.Previous; other = this->Corners[other].Next)
   {
@@ -263,33 +293,8 @@ bool PolygonEars::IsFree(vtkIdType tip) const
   return true;
 }
 
-/// Of the corners whose value is at most `most` the one with the smallest point; if the loop has it
-/// several times, the first one from `start` on.
-vtkIdType PolygonEars::FindSmallest(const FirstOfLeast& values, double most, vtkIdType start) const
-{
-  const vtkIdType smallest = this->ByRank[values.FindFirst(most, 0)];
-  if (smallest >= start)
-  {
-    return smallest;
-  }
-  // The ranks of the same point begin with that of `smallest` at the latest, in order of the loop.
-  const auto after = std::lower_bound(this->ByRank.begin(), this->ByRank.end(), start,
-    [&](vtkIdType at, vtkIdType wanted)
-    { return this->Precedes(at, smallest) || (!this->Precedes(smallest, at) && at < wanted); });
-  const vtkIdType rank = values.FindFirst(most, after - this->ByRank.begin());
-  const bool isSame = rank >= 0 && !this->Precedes(smallest, this->ByRank[rank]);
-  return isSame ? this->ByRank[rank] : smallest;
-}
-
 vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
 {
-  if (this->Searches())
-  {
-    const double least = this->Diagonals.GetLeast();
-    return std::isinf(least)
-      ? -1
-      : this->FindSmallest(this->Diagonals, least * (1 + 2 * this->Tie), start);
-  }
   double shortest = -1;
   vtkIdType i = start;
   do
@@ -317,10 +322,6 @@ vtkIdType PolygonEars::FindBestEar(vtkIdType start) const
 
 vtkIdType PolygonEars::FindLeastHarm(vtkIdType start) const
 {
-  if (this->Searches())
-  {
-    return this->FindSmallest(this->Harms, this->Harms.GetLeast(), start);
-  }
   vtkIdType best = -1;
   bool bestBends = true;
   vtkIdType i = start;

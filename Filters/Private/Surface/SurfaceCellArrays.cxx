@@ -6,11 +6,9 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Control/Partners.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -84,40 +82,17 @@ public:
   {
   }
 
-  /// Finds carried arrays that were changed since they were shown, on any partition.
-  void FindChanged(vtkPolyData* input, Partners* others)
+  /// Finds carried arrays that were changed since they were shown.
+  void FindChanged(vtkPolyData* input)
   {
-    std::map<std::string, double> changed; // the same names on all partitions
-    for (const CarriedCells::Entry& entry : this->Carried.Entries)
-    {
-      changed[entry.Name] = 0.;
-    }
-    auto* blocks = vtkIntArray::SafeDownCast(input->GetCellData()->GetArray(BlockName));
     for (int a = 0; a < input->GetCellData()->GetNumberOfArrays(); ++a)
     {
       vtkAbstractArray* array = input->GetCellData()->GetAbstractArray(a);
       const CarriedCells::Entry* base = this->FindBase(array);
       if (base && array->GetNumberOfTuples() == input->GetNumberOfCells() &&
-        !this->IsShown(*base, array, blocks))
+        !this->IsShown(*base, array))
       {
-        changed[base->Name] = 1.;
-      }
-    }
-    std::vector<double> values;
-    for (const auto& entry : changed)
-    {
-      values.push_back(entry.second);
-    }
-    if (others)
-    {
-      others->FindLargest(values);
-    }
-    auto value = values.begin();
-    for (const auto& entry : changed)
-    {
-      if (*value++ > 0.)
-      {
-        this->Changed.insert(entry.first);
+        this->Changed.insert(base->Name);
       }
     }
   }
@@ -234,23 +209,11 @@ private:
     }
     return base;
   }
-  /// Whether the cells of blocks of this partition show them; `blocks`: null if all are.
-  bool IsShown(const CarriedCells::Entry& base, vtkAbstractArray* array, vtkIntArray* blocks)
+  /// Whether the cells show them.
+  bool IsShown(const CarriedCells::Entry& base, vtkAbstractArray* array)
   {
     const Buffer<vtkIdType>& faces = this->FindSources(base.Level, this->FirstStep);
-    std::vector<vtkIdType> before;
-    std::vector<vtkIdType> now;
-    for (const size_t f : InTurn(this->Cells.FaceCells.size()))
-    {
-      const vtkIdType cell = this->Cells.FaceCells[f];
-      if (!blocks || blocks->GetValue(cell) != NoBlock)
-      {
-        before.push_back(faces[static_cast<vtkIdType>(f)]);
-        now.push_back(cell);
-      }
-    }
-    return HoldSame(Gather(base.Array, { before.data(), before.data() + before.size() }),
-      Gather(array, { now.data(), now.data() + now.size() }));
+    return HoldSame(Gather(base.Array, Whole(faces)), this->GatherFaces(array));
   }
 
   const SurfaceCells& Cells;
@@ -313,7 +276,7 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  Partners* others, CarriedCells& carried, vtkPolyData* output)
+  CarriedCells& carried, vtkPolyData* output)
 {
   vtkCellData* from = input->GetCellData();
   vtkCellData* to = output->GetCellData();
@@ -321,7 +284,7 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const bool originals = options.GenerateOriginalIds && !hasOriginals;
   SurfaceSources<Id> sources(cells, steps, firstStep, carried);
   CarriedCells next;
-  sources.FindChanged(input, others);
+  sources.FindChanged(input);
   CopyArrays(
     input, originals, options,
     [&]

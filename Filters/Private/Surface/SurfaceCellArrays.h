@@ -22,12 +22,11 @@ void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources,
 /// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
 /// the last level. The sharpness of lines is reduced.
 /// `goesOn`: an earlier filter made the input, so that its original ids are kept. `carried`: before
-/// the call what that filter left, afterwards what the next filter needs. `others`: the partitions
-/// that call this together, null if the input is not a region (SurfaceRegion.h).
+/// the call what that filter left, afterwards what the next filter needs.
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  Partners* others, CarriedCells& carried, vtkPolyData* output);
+  CarriedCells& carried, vtkPolyData* output);
 
 }
 

@@ -102,16 +102,6 @@ ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partn
 }
 
 template <typename Id>
-bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control)
-{
-  const auto has = [&keys](int kind, vtkIdType size)
-  { return static_cast<vtkIdType>(keys[kind].Own.size()) == size; };
-  return has(Kinds::Vertex, control.Mesh.NumberOfVertices) &&
-    has(Kinds::Face, control.Mesh.NumberOfFaces) && has(Kinds::Line, control.Lines.size()) &&
-    has(VertexCellKind, control.Points.size());
-}
-
-template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
   const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners)
 {
@@ -133,21 +123,12 @@ SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   SurfaceNumbers numbers;
   for (int kind = 0; kind < NumberOfControlKinds; ++kind)
   {
-    const bool isEdge = kind == Kinds::Edge;
-    if (isEdge)
+    if (kind == Kinds::Edge)
     {
       keys[kind] =
         MakeEdgeKeys(control, keys[Kinds::Face], keys[Kinds::Line], things[Kinds::Vertex]);
     }
     things[kind] = NumberTogether(keys[kind], kind, lists, partners);
-    const SharedNumbers& found = things[kind];
-    for (size_t i = 0; i < keys[kind].Own.size() && !isEdge; ++i)
-    {
-      const vtkIdType number = found.First[found.Totals.size() * i];
-      numbers.Control.push_back(kind);
-      numbers.Control.push_back(
-        2 * (number < 0 ? found.Totals[0] : number) + (keys[kind].Own[i] ? 1 : 0));
-    }
   }
   std::vector<WholeIds> found = FindWholeIds(lists, things);
   numbers.Points = std::move(found[0]);
@@ -163,7 +144,6 @@ void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
-SUBDIVISION_COMPILE_FUNCTION(AreKeysOf);
 SUBDIVISION_COMPILE_FUNCTION(FindTurnedOfPart);
 template SurfaceNumbers NumberSurface(
   ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);

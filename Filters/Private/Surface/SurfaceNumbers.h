@@ -27,7 +27,6 @@ struct SurfaceNumbers
   WholeIds Points; ///< -1 far from own cells
   WholeIds Cells;
   vtkIdType NumberOfControlPoints = 0; ///< of the whole
-  std::vector<vtkIdType> Control;      ///< as in SurfaceRegion.h
 };
 
 /**
@@ -41,11 +40,6 @@ struct SurfaceNumbers
 template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   const SurfaceSegments& segments, Partners& partners);
-
-/// Whether there is a key for each vertex, face, line and vertex cell of a control level. (Edges
-/// get theirs from these.)
-template <typename Id>
-bool AreKeysOf(const ControlKeys& keys, const SurfaceLevel<Id>& control);
 
 /// The control parts that are points and cells of `input`, the mesh that `partners` know; `cells`
 /// are its cells. All partitions call this together.

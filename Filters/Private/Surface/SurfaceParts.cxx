@@ -8,7 +8,6 @@
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
-#include "Private/Surface/SurfaceRegion.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -17,6 +16,25 @@
 
 namespace subdivision
 {
+namespace
+{
+
+StampScheme GetStampScheme(SurfaceSchemeKind scheme)
+{
+  return static_cast<StampScheme>(
+    static_cast<int>(StampScheme::FirstOfSurfaces) + static_cast<int>(scheme));
+}
+
+/// Of a scheme that does not halve edges.
+std::string GetName(SurfaceSchemeKind scheme)
+{
+  return scheme == SurfaceSchemeKind::DooSabin ? "DooSabin"
+    : scheme == SurfaceSchemeKind::Midedge     ? "Midedge"
+    : scheme == SurfaceSchemeKind::FourEight   ? "FourEight"
+                                               : "SqrtThree";
+}
+
+}
 
 /// Keeps the coordinates that a later filter needs, or an earlier one has left.
 template <typename Id>
@@ -51,11 +69,7 @@ template <typename Id>
 Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
   const PolygonMesh<Id>& mesh, Partners& others) const
 {
-  ControlKeys keys = this->MakeKeys(others);
-  if (others.Sum(AreKeysOf(keys, this->Steps->GetLevel(0)) ? 0 : 1) > 0)
-  {
-    return FindTurnedFaces(mesh); // the field data are damaged: WriteStampOfPart warns
-  }
+  ControlKeys keys = MakeControlKeys(this->Input, this->GetControl(), others);
   std::vector<char>& isSure = keys[SurfaceSegments::Vertex].Own;
   const std::vector<char> isOwn = isSure;
   for (std::size_t p = 0; p < this->JoinedMesh.FirstPoints.size(); ++p)
@@ -66,42 +80,22 @@ Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
   return subdivision::FindTurnedOfPart(mesh, keys, others);
 }
 
-/// The keys of the control mesh.
-template <typename Id>
-ControlKeys SurfaceRun<Id>::MakeKeys(Partners& others) const
-{
-  return this->Options.IsRegion ? ReadControlKeys(this->Input)
-                                : MakeControlKeys(this->Input, this->GetControl(), others);
-}
-
 /// Writes the numbers that points and cells have in the whole output, of which this is a part, and
 /// what the next filter needs to go on. `isLevel`: all points are those of a level. Where the next
-/// one cannot go on, it is told so, and warns.
+/// one cannot go on, it is told so, and warns. With a scheme that does not halve edges cells of a
+/// part do not show the control mesh: the stamp then has no levels, and the numbers alone are left.
 template <typename Id>
 void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
 {
   subdivision::Stamp stamp;
-  stamp.Scheme = static_cast<StampScheme>(
-    static_cast<int>(StampScheme::FirstOfSurfaces) + static_cast<int>(this->Options.Scheme));
-  stamp.Levels = this->GetAllLevels();
+  stamp.Scheme = GetStampScheme(this->Options.Scheme);
+  stamp.Levels = this->Scheme->HalvesEdges() ? this->GetAllLevels() : 0;
   stamp.IsProjected = !isLevel || others.Sum(this->Joined ? 1 : 0) > 0;
-  const bool isNumbered = isLevel || this->Options.GenerateGlobalIds;
-  ControlKeys keys;
-  if (isNumbered)
-  {
-    keys = this->MakeKeys(others);
-  }
-  if (isNumbered && others.Sum(AreKeysOf(keys, this->Steps->GetLevel(0)) ? 0 : 1) > 0)
-  {
-    this->Options.Warn(
-      "The field data of the input are not those that an earlier filter wrote: the "
-      "output has no ids, and the next filter takes it as any other mesh.");
-    stamp.IsProjected = true;
-  }
-  else if (isNumbered)
+  if (isLevel || this->Options.GenerateGlobalIds)
   {
     const SurfaceNumbers numbers =
-      NumberSurface(std::move(keys), this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
+      NumberSurface(MakeControlKeys(this->Input, this->GetControl(), others),
+        this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
     WriteNumbers(numbers, this->Output);
     stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
     stamp.NumberOfPoints = numbers.Points.Total;
@@ -109,10 +103,6 @@ void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
     if (isLevel && this->Scheme->HalvesEdges())
     {
       this->WriteControlPoints(numbers, others);
-    }
-    else if (isLevel)
-    {
-      WriteRegion(numbers, this->Output);
     }
   }
   if (isLevel)
@@ -156,6 +146,25 @@ void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Par
   WriteField<vtkIdTypeArray>(InterpolatedName, this->GetInterpolated(), data);
   WriteField<vtkDoubleArray>(ControlPointsName, points, data, ControlPointComponents);
   WriteField<vtkDoubleArray>(ControlCreasesName, creases, data, CreaseComponents);
+}
+
+/// Says so where an earlier filter made the parts of the input by this scheme, which does not go on
+/// with parts.
+template <typename Id>
+void SurfaceRun<Id>::WarnOfPartsAfresh() const
+{
+  subdivision::Stamp stamp;
+  const bool isOfScheme = ReadPartStamp(this->Input, stamp) &&
+    stamp.Scheme == GetStampScheme(this->Options.Scheme) && stamp.Levels == 0 &&
+    stamp.NumberOfPoints == this->Input->GetNumberOfPoints() &&
+    stamp.NumberOfCells == this->Input->GetNumberOfCells();
+  if (!this->Scheme->HalvesEdges() && isOfScheme)
+  {
+    this->Options.Warn("An earlier filter made the input on several ranks by " +
+      GetName(this->Options.Scheme) +
+      ", a scheme that does not go on over ranks. This filter takes the cells as any other mesh: "
+      "results are not those of one filter with all levels. Use one filter with more levels.");
+  }
 }
 
 SUBDIVISION_COMPILE(class SurfaceRun);

@@ -28,14 +28,12 @@ bool SurfaceRun<Id>::Plan()
   const bool isMarked =
     others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
   const bool isStamped = !isMarked && this->ReadStamp();
+  if (!isMarked)
+  {
+    this->WarnOfPartsAfresh();
+  }
   bool isDone = this->Build();
   const bool isFalse = isStamped && (this->ExceedsStamp || (isDone && !this->IsDescendant()));
-  if (this->Options.IsRegion && (isFalse || !isStamped))
-  {
-    this->Options.Fail("Field data say that an earlier filter made the input, but not of what. "
-                       "Remove the field arrays whose names begin with \"Subdivision\".");
-    return false;
-  }
   if (isFalse)
   {
     if (this->Stamp.IsOfPart())

@@ -135,6 +135,7 @@ private:
   SurfaceLevel<Id> MakeFirstLevel(const SurfaceCells& control) const;
   void WriteStampOfPart(Partners& others, bool isLevel);
   void WriteControlPoints(const SurfaceNumbers& numbers, const Partners& others);
+  void WarnOfPartsAfresh() const;
   int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
 
   bool Plan();
@@ -211,7 +212,6 @@ private:
   Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;
-  ControlKeys MakeKeys(Partners& others) const;
   TangentPairs FindFrames(
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
   {

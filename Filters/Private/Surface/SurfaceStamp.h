@@ -23,7 +23,7 @@
  * A part of a surface of which several partitions have parts has the stamp of Stamp.h instead, if
  * edges are halved, with its scheme as FirstOfSurfaces + number, and the field arrays
  * `SubdivisionControlPoints` and `SubdivisionControlCreases`, which count in the whole. With other
- * schemes it has both stamps; that of a surface is that of its region (SurfaceRegion.h).
+ * schemes the levels of that stamp are 0: the next filter takes the cells for a control mesh.
  *
  * Where edges are halved, control points keep their ids and children are consecutive, so that the
  * control mesh is read off the cells. It is refined again and compared with them.

@@ -9,7 +9,6 @@
 #include "Private/Control/SharedInterpolation.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
-#include "Private/Surface/SurfaceRegion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -110,9 +109,7 @@ template <typename Id>
 void SurfaceRun<Id>::Write()
 {
   CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options,
-    this->Options.IsRegion ? FindPartners(this->Options, this->Input) : nullptr,
-    this->Stamp.Carried, this->Output);
+    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   TellOvershoot(
@@ -144,7 +141,6 @@ template <typename Id>
 void SurfaceRun<Id>::WriteStamp()
 {
   RemoveSurfaceStamp(this->Output);
-  RemoveRegion(this->Output);
   if (this->MadeLevels > 0)
   {
     WarnOfLateInterpolation(
@@ -156,10 +152,7 @@ void SurfaceRun<Id>::WriteStamp()
   if (Partners* others = FindPartners(this->Options, this->Input))
   {
     this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);
-    if (this->Scheme->HalvesEdges())
-    {
-      return;
-    }
+    return;
   }
   if (isLimit || this->GetAllLevels() == 0 || this->Joined)
   {
@@ -188,7 +181,7 @@ void SurfaceRun<Id>::WriteStamp()
   WriteSurfaceStamp(stamp, this->Output);
 }
 
-static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
+bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
   const auto scheme =
     MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary, options.Features.Weights);
@@ -215,22 +208,6 @@ static bool SubdivideMesh(vtkPolyData* input, const SurfaceOptions& options, vtk
     return run(SurfaceRun<long long>(input, options, largeScheme, output));
   }
   return run(SurfaceRun<int>(input, options, scheme, output));
-}
-
-bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
-{
-  SurfaceRegion region;
-  if (!FindRegion(input, options, region))
-  {
-    return SubdivideMesh(input, options, output);
-  }
-  if (!SubdivideMesh(region.Mesh, TakeToRegion(input, options, region), output))
-  {
-    return false;
-  }
-  CountInInput(input, region, output);
-  ClearMarks(options.Features.Marks, output);
-  return true;
 }
 
 SUBDIVISION_COMPILE(class SurfaceRun);

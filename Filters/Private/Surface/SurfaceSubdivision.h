@@ -30,8 +30,6 @@ struct SurfaceOptions : RunOptions
   /// Point arrays of the input, null where there is none: angles in degrees, flatness s.
   vtkSmartPointer<vtkDataArray> Angles;
   vtkSmartPointer<vtkDataArray> Flatness;
-  /// Whether the input is a region (SurfaceRegion.h): the filter goes on with it, or fails.
-  bool IsRegion = false;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;
   /// Null, or what is wanted in place of an output, by schemes that FindSurfacePlaces knows.
@@ -43,8 +41,7 @@ struct SurfaceOptions : RunOptions
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
 
 /// How many layers of cells around its own a part of a mesh needs (Distribution.h). Cells of 4-8
-/// lie in two control cells, and limits of their points reach one cell farther; a filter that goes
-/// on may ask for them.
+/// lie in two control cells, and limits of their points reach one cell farther.
 constexpr int CountLayersOfSurface(SurfaceSchemeKind scheme)
 {
   return scheme == SurfaceSchemeKind::FourEight ? 3 : 2;

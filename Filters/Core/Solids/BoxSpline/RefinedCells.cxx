@@ -106,19 +106,19 @@ template <int Parents, typename Out, typename Lattice>
 void WriteChildrenOfTets(const CellRun& run, Out* out, const Lattice& lattice,
   const StoredPoints& points, signed char* signs)
 {
-  ForRanges(run.Count,
-    [&](vtkIdType begin, vtkIdType end)
+  const SignOfChildren<Parents> sign(points);
+  signed char* known = points.Single || points.Double ? signs : nullptr;
+  ForEach(run.Count,
+    [&](vtkIdType i)
     {
-      SignOfChildren<Parents> sign(points, signs);
-      for (vtkIdType i = begin; i < end; ++i)
+      Out ids[TetLattice<Parents>::Size];
+      lattice(run.First + i, ids);
+      WriteByTable<Parents>(
+        ids, out + i * (32 * Parents), std::make_index_sequence<32 * Parents>());
+      if (known)
       {
-        Out ids[TetLattice<Parents>::Size];
-        lattice(run.First + i, ids);
-        WriteByTable<Parents>(
-          ids, out + i * (32 * Parents), std::make_index_sequence<32 * Parents>());
-        sign.Add(ids, i);
+        known[i] = sign.Find(ids);
       }
-      sign.Finish();
     });
 }
 

@@ -2,9 +2,8 @@
 /**
  * @file SignOfChildren.h
  * The sign of the volumes of the children of tetrahedra, told from their lattice points while these
- * are at hand: reading the cells of an output once more takes longer than writing them. Four
- * tetrahedra are looked at side by side, first in single precision, then in double: volumes that
- * are larger than what they may round by have their sign.
+ * are at hand: reading the cells of an output once more takes longer than writing them. Volumes
+ * that are larger than what they may round by have their sign.
  */
 #ifndef SubdivisionObjects_SignOfChildren_h
 #define SubdivisionObjects_SignOfChildren_h
@@ -16,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace subdivision
 {
@@ -47,80 +47,6 @@ struct TetLattice
 template <int Parents>
 constexpr TetLattice<Parents> TetLatticeOf{};
 
-namespace children_volumes
-{
-template <typename Real>
-struct Vector
-{
-  Real X, Y, Z;
-};
-template <typename Real>
-Vector<Real> Cross(const Vector<Real>& a, const Vector<Real>& b)
-{
-  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
-}
-template <typename Real>
-Real Dot(const Vector<Real>& a, const Vector<Real>& b)
-{
-  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
-}
-
-/// How many tetrahedra are looked at side by side: as many as compilers put into one vector.
-constexpr int Lanes = 4;
-template <typename Real>
-using Coordinate = Real[Lanes];
-
-/// The least and the greatest volume in each of the tetrahedra, times 6, and the sum of all, which
-/// tells of volumes that are no numbers, too.
-template <typename Real>
-struct Volumes
-{
-  Real Least[Lanes];
-  Real Greatest[Lanes];
-  Real Sums[Lanes];
-};
-
-/// The volumes of the eight children with these lattice points, each of three coordinates.
-template <typename Real>
-Volumes<Real> FindVolumes(const std::array<const Coordinate<Real>*, 10>& at)
-{
-  Volumes<Real> volumes;
-  for (int lane = 0; lane < Lanes; ++lane)
-  {
-    const auto minus = [&at, lane](std::size_t a, std::size_t b)
-    {
-      return Vector<Real>{ at[a][0][lane] - at[b][0][lane], at[a][1][lane] - at[b][1][lane],
-        at[a][2][lane] - at[b][2][lane] };
-    };
-    // Each child in the middle has the diagonal from 5 to 8 as an edge, and shares the triangle
-    // opposite to one of its ends with a child at a corner.
-    const Vector<Real> diagonal = minus(8, 5);
-    Real least = std::numeric_limits<Real>::max();
-    Real greatest = -least;
-    Real sum = Real(0);
-    const auto add = [&least, &greatest, &sum](Real volume)
-    {
-      least = volume < least ? volume : least;
-      greatest = volume > greatest ? volume : greatest;
-      sum += volume;
-    };
-    const auto addPair = [&](const Vector<Real>& triangle, const Vector<Real>& corner)
-    {
-      add(Dot(triangle, diagonal));
-      add(Dot(triangle, corner));
-    };
-    addPair(Cross(minus(6, 5), minus(4, 5)), minus(5, 0));
-    addPair(Cross(minus(7, 5), minus(9, 5)), minus(5, 2));
-    addPair(Cross(minus(4, 8), minus(7, 8)), minus(1, 8));
-    addPair(Cross(minus(9, 8), minus(6, 8)), minus(3, 8));
-    volumes.Least[lane] = least;
-    volumes.Greatest[lane] = greatest;
-    volumes.Sums[lane] = sum;
-  }
-  return volumes;
-}
-}
-
 /// Finds the sign that the volumes of all children of a tetrahedron have (tetrahedron::Children),
 /// or of all their children; 0: several, or that is not known, because one may be rounding, or
 /// products may overflow or vanish.
@@ -130,157 +56,111 @@ class SignOfChildren
 public:
   static constexpr int Size = TetLattice<Parents>::Size;
 
-  /// `signs`: where they go, one for each tetrahedron; null: nothing is done.
-  SignOfChildren(const StoredPoints& points, signed char* signs)
+  explicit SignOfChildren(const StoredPoints& points)
     : Points(points)
-    , Signs(points.Single || points.Double ? signs : nullptr)
   {
   }
-  /// Takes the points of a tetrahedron, whose sign goes to `place`.
+  /// `lattice`: the points of the tetrahedron.
   template <typename Id>
-  void Add(const Id (&lattice)[Size], vtkIdType place)
+  signed char Find(const Id (&lattice)[Size]) const
   {
-    if (!this->Signs)
-    {
-      return;
-    }
-    this->Points.Single ? this->Read(lattice, this->Points.Single)
-                        : this->Read(lattice, this->Points.Double);
-    this->Places[this->Count] = place;
-    if (++this->Count == Lanes)
-    {
-      this->Finish();
-    }
-  }
-  /// Stores the signs of the last ones, which are less than a vector.
-  void Finish()
-  {
-    signed char signs[Lanes];
-    // The range of sizes keeps products within the range of numbers.
-    if (this->Count > 0 && !this->Find<float>(signs, 1e-10F, 1e10F))
-    {
-      this->Find<double>(signs, 1e-80, 1e80);
-    }
-    for (int lane = 0; lane < this->Count; ++lane)
-    {
-      this->Signs[this->Places[lane]] = signs[lane];
-    }
-    this->Count = 0;
+    return this->Points.Single ? FindSign(lattice, this->Points.Single)
+                               : FindSign(lattice, this->Points.Double);
   }
 
 private:
-  static constexpr int Lanes = children_volumes::Lanes;
-  template <typename Real>
-  using Lattice = children_volumes::Coordinate<Real>[Size][3];
+  struct Vector
+  {
+    double X, Y, Z;
+  };
+  static Vector Minus(const Vector& a, const Vector& b)
+  {
+    return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+  }
+  static Vector Cross(const Vector& a, const Vector& b)
+  {
+    return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+  }
+  static double Dot(const Vector& a, const Vector& b) { return a.X * b.X + a.Y * b.Y + a.Z * b.Z; }
 
   template <typename Id, typename T>
-  void Read(const Id (&lattice)[Size], const T* values)
+  static signed char FindSign(const Id (&lattice)[Size], const T* values)
   {
+    // With e the largest error of rounding and d the size of the box of the points, differences
+    // are off by e d, products of two by 3 e d^2, cross products by 8 e d^2, and volumes by less
+    // than 48 e d^3. The range of sizes keeps products within the range of numbers.
+    constexpr double part = 30 * std::numeric_limits<double>::epsilon(); // e is half of it
+    Vector at[Size];
+    const double d = Read(lattice, values, at);
+    const double bound = part * d * d * d;
+    constexpr auto parents = std::make_index_sequence<Parents>();
+    const bool mayBeKnown = d > 1e-80 && d < 1e80;
+    return !mayBeKnown                    ? 0
+      : AreBeyond<1>(at, bound, parents)  ? 1
+      : AreBeyond<-1>(at, bound, parents) ? -1
+                                          : 0;
+  }
+  /// Reads the points. Returns the size of their box.
+  template <typename Id, typename T>
+  static double Read(const Id (&lattice)[Size], const T* values, Vector (&at)[Size])
+  {
+    constexpr double most = std::numeric_limits<double>::max();
+    Vector low{ most, most, most };
+    Vector high{ -most, -most, -most };
+    const auto read = [](T value, double& x, double& least, double& greatest)
+    {
+      x = static_cast<double>(value);
+      least = least < x ? least : x;
+      greatest = greatest > x ? greatest : x;
+    };
     for (int k = 0; k < Size; ++k)
     {
       const T* value = values + 3 * static_cast<vtkIdType>(lattice[k]);
-      for (int c = 0; c < 3; ++c)
-      {
-        this->At[k][c][this->Count] = static_cast<double>(value[c]);
-      }
+      read(value[0], at[k].X, low.X, high.X);
+      read(value[1], at[k].Y, low.Y, high.Y);
+      read(value[2], at[k].Z, low.Z, high.Z);
     }
+    const Vector sizes = Minus(high, low);
+    return std::max({ sizes.X, sizes.Y, sizes.Z });
   }
-  template <typename Real>
-  static children_volumes::Volumes<Real> FindVolumes(const Lattice<Real>& at)
+  /// Whether all volumes of this sign are beyond the bound, times 6. Without a loop, so that places
+  /// are constants.
+  template <int Sign, std::size_t... Parent>
+  static bool AreBeyond(const Vector (&at)[Size], double bound, std::index_sequence<Parent...>)
   {
-    children_volumes::Volumes<Real> all;
-    for (int lane = 0; lane < Lanes; ++lane)
+    return (AreChildrenBeyond<Sign, Parent>(at, bound) && ...);
+  }
+  /// The same of the eight children of a parent.
+  template <int Sign, std::size_t Parent>
+  static bool AreChildrenBeyond(const Vector (&at)[Size], double bound)
+  {
+    constexpr const auto& places = TetLatticeOf<Parents>.Points[Parent];
+    const Vector& p0 = at[places[0]];
+    const Vector& p1 = at[places[1]];
+    const Vector& p2 = at[places[2]];
+    const Vector& p3 = at[places[3]];
+    const Vector& p4 = at[places[4]];
+    const Vector& p5 = at[places[5]];
+    const Vector& p6 = at[places[6]];
+    const Vector& p7 = at[places[7]];
+    const Vector& p8 = at[places[8]];
+    const Vector& p9 = at[places[9]];
+    // Each child in the middle has the diagonal from 5 to 8 as an edge, and shares the triangle
+    // opposite to one of its ends with a child at a corner.
+    const Vector diagonal = Minus(p8, p5);
+    const auto isPairBeyond = [&diagonal, bound](const Vector& triangle, const Vector& corner)
     {
-      all.Least[lane] = std::numeric_limits<Real>::max();
-      all.Greatest[lane] = -all.Least[lane];
-      all.Sums[lane] = Real(0);
-    }
-    for (const auto& places : TetLatticeOf<Parents>.Points)
-    {
-      std::array<const children_volumes::Coordinate<Real>*, 10> points;
-      for (std::size_t k = 0; k < 10; ++k)
-      {
-        points[k] = at[places[k]];
-      }
-      const auto volumes = children_volumes::FindVolumes<Real>(points);
-      for (int lane = 0; lane < Lanes; ++lane)
-      {
-        all.Least[lane] = std::min(all.Least[lane], volumes.Least[lane]);
-        all.Greatest[lane] = std::max(all.Greatest[lane], volumes.Greatest[lane]);
-        all.Sums[lane] += volumes.Sums[lane];
-      }
-    }
-    return all;
+      const double volumes[2] = { Dot(triangle, diagonal), Dot(triangle, corner) };
+      return Sign > 0 ? volumes[0] > bound && volumes[1] > bound
+                      : volumes[0] < -bound && volumes[1] < -bound;
+    };
+    return isPairBeyond(Cross(Minus(p6, p5), Minus(p4, p5)), Minus(p5, p0)) &&
+      isPairBeyond(Cross(Minus(p7, p5), Minus(p9, p5)), Minus(p5, p2)) &&
+      isPairBeyond(Cross(Minus(p4, p8), Minus(p7, p8)), Minus(p1, p8)) &&
+      isPairBeyond(Cross(Minus(p9, p8), Minus(p6, p8)), Minus(p3, p8));
   }
 
-  /// Returns whether all signs are known then. Coordinates beside the middle of the diagonal are
-  /// between `least` and `most`.
-  template <typename Real>
-  bool Find(signed char (&signs)[Lanes], Real least, Real most) const
-  {
-    // With coordinates up to r, which round by e r at most, a volume rounds by less than 530 e r^3:
-    // differences by 4, products of two by 48, and sums of three with these by 530.
-    constexpr Real part = 300 * std::numeric_limits<Real>::epsilon(); // e is half of it
-    Lattice<Real> at;
-    Real reach[Lanes];
-    this->Move(at, reach);
-    const auto volumes = FindVolumes<Real>(at);
-    bool areKnown = true;
-    for (int lane = 0; lane < this->Count; ++lane)
-    {
-      const Real r = reach[lane];
-      const Real bound = part * r * r * r;
-      const bool areNumbers =
-        r > least && r < most && volumes.Sums[lane] - volumes.Sums[lane] == Real(0);
-      signs[lane] = !areNumbers           ? 0
-        : volumes.Least[lane] > bound     ? 1
-        : volumes.Greatest[lane] < -bound ? -1
-                                          : 0;
-      areKnown = areKnown && signs[lane] != 0;
-    }
-    return areKnown;
-  }
-  /// The points beside the middle of the diagonal, and the largest of their coordinates.
-  template <typename Real>
-  void Move(Lattice<Real>& at, Real (&reach)[Lanes]) const
-  {
-    double middle[3][Lanes];
-    for (int c = 0; c < 3; ++c)
-    {
-      for (int lane = 0; lane < Lanes; ++lane)
-      {
-        middle[c][lane] = (this->At[5][c][lane] + this->At[8][c][lane]) / 2.;
-      }
-    }
-    for (int k = 0; k < Size; ++k)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        for (int lane = 0; lane < Lanes; ++lane)
-        {
-          at[k][c][lane] = static_cast<Real>(this->At[k][c][lane] - middle[c][lane]);
-        }
-      }
-    }
-    for (int lane = 0; lane < Lanes; ++lane)
-    {
-      Real farthest = Real(0);
-      for (int k = 0; k < Size; ++k)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          const Real distance = std::abs(at[k][c][lane]);
-          farthest = distance > farthest ? distance : farthest;
-        }
-      }
-      reach[lane] = farthest;
-    }
-  }
   const StoredPoints Points;
-  signed char* const Signs;
-  int Count = 0; ///< of tetrahedra whose signs are not stored yet
-  vtkIdType Places[Lanes];
-  Lattice<double> At = {}; ///< lanes beyond Count have any numbers
 };
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Surface filters in a row on partitions, simulated in one process, with schemes that do not halve
-// edges.
+// edges: each takes the cells as any other mesh, as in one process where the stamp is taken away.
 #include "PartitionTools.h"
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
@@ -13,7 +13,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -29,6 +28,7 @@ namespace
 constexpr int FirstScheme = 3; ///< of those that do not halve edges
 constexpr int NumberOfSchemes = 7;
 constexpr const char* AnglesName = "Angles";
+constexpr const char* Names[] = { "DooSabin", "Midedge", "FourEight", "SqrtThree" };
 
 SurfaceOptions MakeOptions(int scheme, int levels)
 {
@@ -48,7 +48,20 @@ bool Run(vtkPointSet* input, SurfaceOptions options, vtkPointSet* output)
     vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
 }
 
-/// What filters with these options in a row make. `change`: what happens before each of them.
+void RemoveStamp(vtkPointSet* mesh)
+{
+  vtkFieldData* data = mesh->GetFieldData();
+  for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    if (std::string(data->GetArrayName(a)).rfind("Subdivision", 0) == 0)
+    {
+      data->RemoveArray(a);
+    }
+  }
+}
+
+/// What filters with these options in a row make, none of which knows of the one before. `change`:
+/// what happens before each of them.
 Mesh Subdivide(Mesh mesh, const std::vector<SurfaceOptions>& filters,
   const std::function<void(vtkPointSet*, size_t)>& change = nullptr)
 {
@@ -60,6 +73,7 @@ Mesh Subdivide(Mesh mesh, const std::vector<SurfaceOptions>& filters,
     }
     const Mesh output = subdivision::MakeMesh(true);
     EXPECT_TRUE(Run(mesh, filters[f], output));
+    RemoveStamp(output);
     mesh = output;
   }
   return mesh;
@@ -67,7 +81,7 @@ Mesh Subdivide(Mesh mesh, const std::vector<SurfaceOptions>& filters,
 
 std::vector<Mesh> SubdivideParts(std::vector<Mesh> parts, const Partition& partition,
   const std::vector<SurfaceOptions>& filters,
-  const std::function<void(vtkPointSet*, size_t)>& change = nullptr, int ghostLayers = 0)
+  const std::function<void(vtkPointSet*, size_t)>& change = nullptr)
 {
   for (size_t f = 0; f < filters.size(); ++f)
   {
@@ -82,7 +96,6 @@ std::vector<Mesh> SubdivideParts(std::vector<Mesh> parts, const Partition& parti
     subdivision::DistributionOptions distribution;
     distribution.IsOfSurfaces = true;
     distribution.WorksInRounds = true;
-    distribution.GhostLayers = f + 1 == filters.size() ? ghostLayers : 0;
     distribution.Layers = subdivision::CountLayersOfSurface(options.Scheme);
     std::vector<Mesh> outputs;
     EXPECT_TRUE(RunOnParts(
@@ -147,9 +160,28 @@ std::function<void(const std::string&)> CollectInto(std::vector<std::string>& wa
   };
 }
 
+/// The same on parts; each filter but the first says that it starts afresh, and why.
+void ExpectAfresh(const std::vector<Mesh>& parts, const Partition& partition,
+  std::vector<SurfaceOptions> filters, const Mesh& whole,
+  const std::function<void(vtkPointSet*, size_t)>& change = nullptr)
+{
+  std::vector<std::string> warnings;
+  for (size_t f = 1; f < filters.size(); ++f)
+  {
+    filters[f].Warn = CollectInto(warnings);
+  }
+  ExpectWhole(whole, SubdivideParts(parts, partition, filters, change));
+  const std::string name = Names[static_cast<int>(filters[0].Scheme) - FirstScheme];
+  const auto count =
+    std::count_if(warnings.begin(), warnings.end(), [&name](const std::string& message)
+      { return message.find("on several ranks by " + name + ",") != std::string::npos; });
+  // Each part that has a mesh says so; the filter tells it once.
+  EXPECT_EQ(count, static_cast<long>((filters.size() - 1) * parts.size() / partition.Blocks));
 }
 
-TEST(PartitionsRegions, LetFiltersGoOn)
+}
+
+TEST(PartitionsAfresh, FiltersStartAndSayIt)
 {
   size_t turn = 0;
   ForSurfaces(true,
@@ -161,23 +193,19 @@ TEST(PartitionsRegions, LetFiltersGoOn)
       const std::vector<int>& split =
         splits[(run + run / (NumberOfSchemes - FirstScheme)) % splits.size()];
       std::vector<SurfaceOptions> filters;
-      int levels = 0;
       for (const int count : split)
       {
         filters.push_back(MakeOptions(scheme, count));
-        levels += count;
+        filters.back().Features.DetectFeatures = turn % 3 > 0;
+        filters.back().Features.FeatureAngle = 50.;
       }
-      SurfaceOptions once = MakeOptions(scheme, levels);
-      once.Features.DetectFeatures = filters[0].Features.DetectFeatures = turn % 3 > 0;
-      once.Features.FeatureAngle = filters[0].Features.FeatureAngle = 50.;
-      filters.back().GenerateLimitNormals = once.GenerateLimitNormals = turn % 2 > 0;
-      filters.back().ProjectToLimit = once.ProjectToLimit = turn % 4 > 1;
-      ExpectWhole(
-        Subdivide(mesh, { once }), SubdivideParts(Cut(mesh, partition), partition, filters));
+      filters.back().GenerateLimitNormals = turn % 2 > 0;
+      filters.back().ProjectToLimit = turn % 4 > 1;
+      ExpectAfresh(Cut(mesh, partition), partition, filters, Subdivide(mesh, filters));
     });
 }
 
-TEST(PartitionsRegions, GiveWayToOtherSchemes)
+TEST(PartitionsAfresh, GiveWayToOtherSchemes)
 {
   ForSurfaces(false,
     [](const Mesh& mesh, int scheme, const Partition& partition)
@@ -190,7 +218,7 @@ TEST(PartitionsRegions, GiveWayToOtherSchemes)
 }
 
 // It needs more layers than a filter that goes on.
-TEST(PartitionsRegions, GiveWayToAdaptiveRefinement)
+TEST(PartitionsAfresh, GiveWayToAdaptiveRefinement)
 {
   ForSurfaces(true,
     [](const Mesh& mesh, int scheme, const Partition& partition)
@@ -224,7 +252,7 @@ TEST(PartitionsRegions, GiveWayToAdaptiveRefinement)
     });
 }
 
-TEST(PartitionsRegions, TakeValuesAsTheyAre)
+TEST(PartitionsAfresh, TakeValuesAsTheyAre)
 {
   const auto change = [](vtkPointSet* mesh, size_t filter)
   {
@@ -261,42 +289,12 @@ TEST(PartitionsRegions, TakeValuesAsTheyAre)
       mesh->GetCellData()->AddArray(numbers);
       const std::vector<SurfaceOptions> filters = { MakeOptions(scheme, 1),
         MakeOptions(scheme, 1) };
-      ExpectWhole(Subdivide(mesh, filters, change),
-        SubdivideParts(Cut(mesh, partition), partition, filters, change));
+      ExpectAfresh(
+        Cut(mesh, partition), partition, filters, Subdivide(mesh, filters, change), change);
     });
 }
 
-// Of those that are asked for they have one layer, because what is farther away is not right.
-TEST(PartitionsRegions, HaveGhostCellsOfOneFilter)
-{
-  ForSurfaces(false,
-    [](const Mesh& mesh, int scheme, const Partition& partition)
-    {
-      const std::vector<Mesh> parts = Cut(mesh, partition);
-      const auto once = SubdivideParts(parts, partition, { MakeOptions(scheme, 2) }, nullptr, 1);
-      for (const int wanted : { 1, 3 })
-      {
-        std::atomic<int> warnings(0);
-        SurfaceOptions second = MakeOptions(scheme, 1);
-        second.Warn = [&](const std::string& message)
-        { warnings += message.find("3 layers of ghost cells") != std::string::npos ? 1 : 0; };
-        const auto twice =
-          SubdivideParts(parts, partition, { MakeOptions(scheme, 1), second }, nullptr, wanted);
-        EXPECT_EQ(warnings > 0, wanted > 1);
-        for (size_t i = 0; i < parts.size(); ++i)
-        {
-          ASSERT_EQ(once[i]->GetNumberOfCells(), twice[i]->GetNumberOfCells());
-          ASSERT_EQ(once[i]->GetNumberOfPoints(), twice[i]->GetNumberOfPoints());
-          for (vtkIdType p = 0; p < once[i]->GetNumberOfPoints(); ++p)
-          {
-            ASSERT_EQ(GetPoint(once[i], p), GetPoint(twice[i], p)) << "point " << p;
-          }
-        }
-      }
-    });
-}
-
-TEST(PartitionsRegions, MayComeToOtherRanks)
+TEST(PartitionsAfresh, MayComeToOtherRanks)
 {
   ForSurfaces(false,
     [](const Mesh& mesh, int scheme, const Partition& partition)
@@ -305,15 +303,18 @@ TEST(PartitionsRegions, MayComeToOtherRanks)
       {
         return;
       }
-      std::vector<Mesh> parts =
-        SubdivideParts(Cut(mesh, partition), partition, { MakeOptions(scheme, 1) });
+      const SurfaceOptions once = MakeOptions(scheme, 1);
+      SurfaceOptions again = once;
+      std::vector<std::string> warnings;
+      again.Warn = CollectInto(warnings);
+      std::vector<Mesh> parts = SubdivideParts(Cut(mesh, partition), partition, { once });
       std::reverse(parts.begin(), parts.end());
-      ExpectWhole(Subdivide(mesh, { MakeOptions(scheme, 2) }),
-        SubdivideParts(parts, partition, { MakeOptions(scheme, 1) }));
+      ExpectWhole(Subdivide(mesh, { once, once }), SubdivideParts(parts, partition, { again }));
+      EXPECT_FALSE(warnings.empty());
     });
 }
 
-TEST(PartitionsRegions, MayBeEmpty)
+TEST(PartitionsAfresh, MayBeEmpty)
 {
   const Mesh none = subdivision::MakeMesh(true);
   vtkNew<vtkPoints> points;
@@ -321,13 +322,16 @@ TEST(PartitionsRegions, MayBeEmpty)
   ForSurfaces(false,
     [&none](const Mesh& mesh, int scheme, const Partition&)
     {
-      const SurfaceOptions once = MakeOptions(scheme, 1);
-      ExpectWhole(Subdivide(mesh, { MakeOptions(scheme, 2) }),
-        SubdivideParts({ none, mesh }, CommonPartitions[0], { once, once }));
+      vtkNew<vtkIntArray> ids; // an empty part keeps them: all of its cells are there
+      ids->DeepCopy(mesh->GetCellData()->GetArray(CellName));
+      ids->SetName("Ids");
+      mesh->GetCellData()->SetGlobalIds(ids);
+      const std::vector<SurfaceOptions> filters(2, MakeOptions(scheme, 1));
+      ExpectAfresh({ none, mesh }, CommonPartitions[0], filters, Subdivide(mesh, filters));
     });
 }
 
-TEST(PartitionsRegions, WarnWhereCellsMoved)
+TEST(PartitionsAfresh, WarnWhereCellsMoved)
 {
   const Mesh surface = MakeSkin(MakeMeshes()[0]);
   for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
@@ -350,25 +354,5 @@ TEST(PartitionsRegions, WarnWhereCellsMoved)
     EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
       { return message.find("any other mesh") != std::string::npos; }));
     EXPECT_GT(outputs[0]->GetNumberOfCells(), 0);
-  }
-}
-
-TEST(PartitionsRegions, MayBeDamaged)
-{
-  const Mesh surface = MakeSkin(MakeMeshes()[0]);
-  for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
-  {
-    const SurfaceOptions first = MakeOptions(scheme, 1);
-    SurfaceOptions second = first;
-    std::vector<std::string> warnings;
-    second.Warn = CollectInto(warnings);
-    const Mesh whole = Subdivide(surface, { first, first });
-    const auto damage = [](vtkPointSet* part, size_t)
-    { part->GetFieldData()->RemoveArray("SubdivisionRegionControl"); };
-    const std::vector<Mesh> parts =
-      SubdivideParts(Cut(surface, CommonPartitions[0]), CommonPartitions[0], { first });
-    ExpectWhole(whole, SubdivideParts(parts, CommonPartitions[0], { second }, damage));
-    EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& message)
-      { return message.find("an earlier filter wrote") != std::string::npos; }));
   }
 }
