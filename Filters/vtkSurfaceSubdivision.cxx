@@ -127,13 +127,6 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
 int vtkSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Adaptive)
-  {
-    subdivision::Fail(this,
-      "Adaptive refinement is a filter of its own: use vtkAdaptiveSurfaceSubdivision, "
-      "which has the same criteria. For uniform subdivision switch Adaptive off here.");
-    return 0;
-  }
   subdivision::SurfaceOptions options;
   options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
   options.Levels = this->NumberOfLevels;
@@ -206,7 +199,6 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  os << indent << "Adaptive: " << this->Adaptive << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";

@@ -219,17 +219,6 @@ public:
 
   ///@{
   /**
-   * Older scripts and state files switch adaptive refinement on here. It is a filter of its own
-   * now, vtkAdaptiveSurfaceSubdivision; with this option on, this filter stops with an error that
-   * says so. Off by default.
-   */
-  vtkSetMacro(Adaptive, bool);
-  vtkGetMacro(Adaptive, bool);
-  vtkBooleanMacro(Adaptive, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether the rules near boundaries, creases and corners depend on the number of faces and the
    * angle there, without which surfaces are not smooth at boundary vertices of many faces and fold
    * at concave corners. On by default; off gives the plain rules.
@@ -304,16 +293,6 @@ public:
 
   ///@{
   /**
-   * An older name of GenerateLimitNormals.
-   */
-  void SetGenerateNormals(bool on) { this->SetGenerateLimitNormals(on); }
-  bool GetGenerateNormals() { return this->GetGenerateLimitNormals(); }
-  void GenerateNormalsOn() { this->GenerateLimitNormalsOn(); }
-  void GenerateNormalsOff() { this->GenerateLimitNormalsOff(); }
-  ///@}
-
-  ///@{
-  /**
    * The point whose basis function is output, as point array `BasisFunction` (double): what becomes
    * of 1 at this point and 0 at all others, by the same operator as of any array; with
    * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
@@ -372,14 +351,6 @@ public:
   vtkGetMacro(JoinSeams, bool);
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
-
-  /// Rules for joints, by names that hold for Type1Rule, Type2Rule and Type3Rule. For Loop they say
-  /// what vertices and edges do there; the other schemes stay sharp.
-  enum JointRules
-  {
-    BLEND = TYPE1_BLEND,
-    SHARP = TYPE1_SHARP
-  };
 
   ///@{
   /**
@@ -478,7 +449,6 @@ protected:
 
   int Scheme = LOOP;
   int NumberOfLevels = 1;
-  bool Adaptive = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;

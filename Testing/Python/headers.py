@@ -56,7 +56,6 @@ class Option:
         self.text = words(text)
         self.clamp = clamp  # the ends, as they are written; empty: values are not clamped
         self.is_enumeration = bool(clamp) and clamp[0][0].isalpha()
-        self.older = re.match(r"An older name of (\w+)\.", self.text)
 
     def ends(self, cls):
         return tuple(int(getattr(cls, end)) if self.is_enumeration else number(end) for end in self.clamp)
