@@ -104,12 +104,6 @@ int vtkSurfaceSubdivision::GetLayersOfCells() const
     static_cast<subdivision::SurfaceSchemeKind>(this->Scheme));
 }
 
-vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Mark(
-  vtkDataObject* input, vtkDataObject* readable)
-{
-  return this->AddBasis(this->Superclass::Mark(input, readable), this->BasisPoint);
-}
-
 vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made)
 {
   if (!this->WritesBezierCells())
@@ -203,7 +197,6 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
-  os << indent << "BasisPoint: " << this->BasisPoint << "\n";
   os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
