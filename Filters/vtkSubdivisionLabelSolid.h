@@ -55,7 +55,7 @@
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
  * if voxels have no volume (a spacing is 0 or not finite),
- * if the output would have more than MaximumNumberOfCells cells, or if there is not enough memory.
+ * or if the output would take more memory than there is.
  * An image of background alone gives no cells, and a warning; labels that coarsening loses, tears
  * apart or joins give a warning, too, and values that are NaN or infinite, which are background.
  *
@@ -188,17 +188,6 @@ public:
   vtkGetMacro(MaximumDisplacement, double);
   ///@}
 
-  ///@{
-  /**
-   * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this, 1 or more. Default 500 million. The panels of ParaView, which show no
-   * numbers of 64 bits, set it as a double, cut to a whole number.
-   */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
-  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
-  void SetMaximumNumberOfCellsAsDouble(double cells);
-  ///@}
-
 protected:
   vtkSubdivisionLabelSolid();
   ~vtkSubdivisionLabelSolid() override;
@@ -226,7 +215,6 @@ protected:
   int VolumeScheme = BOX_SPLINE;
   int NumberOfSmoothingSteps = 20;
   double MaximumDisplacement = .55;
-  vtkIdType MaximumNumberOfCells = 500000000;
 
 private:
   /// Sets the array of labels of `options`. Returns false after an error.
