@@ -133,12 +133,6 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT,
-    LINEAR
-  };
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default; into tetrahedra,

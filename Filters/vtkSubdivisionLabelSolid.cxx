@@ -241,7 +241,7 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   InnerFilter inner(options);
   inner->SetController(nullptr);
   inner->SetNumberOfLevels(this->NumberOfLevels);
-  inner->SetVolumeScheme(this->VolumeScheme); // the same values
+  inner->SetVolumeScheme(this->VolumeScheme);
   inner->SetMaximumNumberOfCells(VTK_ID_MAX); // memory is the only limit
   inner->SetProjectToLimit(true);
   inner->SetInterpolatePoints(true);

@@ -68,6 +68,7 @@
 #ifndef vtkSubdivisionLabelSolid_h
 #define vtkSubdivisionLabelSolid_h
 
+#include "vtkSubdivisionAlgorithm.h"     // for VolumeSchemes
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -153,20 +154,16 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT
-  };
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; adds the
    * cell array `OctahedronId`), as in vtkMultiDimensionalSubdivision. Interfaces are the same.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkSetClampMacro(
+    VolumeScheme, int, vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT);
   vtkGetMacro(VolumeScheme, int);
-  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
-  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::TET_OCT); }
   ///@}
 
   ///@{
@@ -212,7 +209,7 @@ protected:
   int Connectivity = CORNERS;
   bool FlatBorder = true;
   int NumberOfLevels = 1;
-  int VolumeScheme = BOX_SPLINE;
+  int VolumeScheme = vtkSubdivisionAlgorithm::BOX_SPLINE;
   int NumberOfSmoothingSteps = 20;
   double MaximumDisplacement = .55;
 

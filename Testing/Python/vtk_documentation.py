@@ -70,7 +70,7 @@ class Documentation(unittest.TestCase):
                 stated = [int(n) for pair in re.findall(r"\((\d+)(?: to (\d+))?", option.text) for n in pair if n]
                 self.assertEqual((min(stated), max(stated)), (low, high), option.text)
                 for name, value in re.findall(r"\b([A-Z][A-Z0-9_]+) \((\d+)", option.text):
-                    self.assertEqual(getattr(made, name), int(value), name)
+                    self.assertEqual(option.constant(type(made), name), int(value), name)
             else:
                 self.assertEqual(stated_ranges(option.text), [(low, high)], option.text)
             number_type = type(option.get(made)[0])
@@ -261,12 +261,14 @@ class Proxies(unittest.TestCase):
     def check_entries(self, option, cls, entries):
         low, high = option.ends(cls)
         self.assertEqual(sorted(entries.values()), list(range(low, high + 1)))
-        names = next((names for base in cls.__mro__ if base in HEADERS for names in HEADERS[base].enumerations
-                      if option.clamp[0] in names), PRECISIONS)
+        scope = getattr(subdivisionobjects, option.scope) if option.scope else cls
+        names = next((names for base in scope.__mro__ if base in HEADERS for names in HEADERS[base].enumerations
+                      if option.clamp[0].rpartition("::")[2] in names), PRECISIONS)
         for text, value in entries.items():
             text = re.sub(r"\W", "", text.replace("Same as input", "Default"))
             word = re.sub(r"(?<=[a-z])(?=[A-Z])", "_", text).upper()
-            self.assertTrue([n for n in names if word in n and getattr(cls, n) == value], f"{text} is not {value}")
+            self.assertTrue([n for n in names if word in n and option.constant(cls, n) == value],
+                            f"{text} is not {value}")
             if hasattr(cls, f"Set{option.name}To{text}"):
                 made = cls()
                 getattr(made, f"Set{option.name}To{text}")()

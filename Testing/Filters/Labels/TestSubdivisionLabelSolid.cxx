@@ -209,8 +209,7 @@ TEST(SubdivisionLabelSolid, AScanKeepsVolumesAndShape)
   const Image image = MakeImage({ n, n, n }, ScanOf(n));
   const auto wanted = Count(image);
   ASSERT_EQ(wanted.size(), 3u);
-  for (const int scheme :
-    { vtkSubdivisionLabelSolid::BOX_SPLINE, vtkSubdivisionLabelSolid::TET_OCT })
+  for (const int scheme : { vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT })
   {
     Made made;
     made->SetNumberOfControlCells(0);
