@@ -8,7 +8,7 @@ from deformation import quads, source_of, to_points
 from gallery import only_cells
 from paraview import simple
 from side_by_side import BLUE, VIEW, output, points_of, write
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkCellArray, vtkPolyData, vtkUnstructuredGrid
 
 def spindle(count):
@@ -128,6 +128,18 @@ def maps_of_solids():
     write("maps_of_solids", shown, VIEW, 4)
 
 
+def with_impulse(data, point):
+    """The mesh with the array of which subdivision makes the basis function of a point."""
+    values = np.zeros(data.GetNumberOfPoints())
+    values[point] = 1.0
+    array = numpy_to_vtk(values, deep=True)
+    array.SetName("BasisFunction")
+    made = data.NewInstance()
+    made.ShallowCopy(data)
+    made.GetPointData().AddArray(array)
+    return source_of(made)
+
+
 def basis_functions():
     """As heights over a net of quads."""
     steps = np.arange(7.0)
@@ -135,8 +147,8 @@ def basis_functions():
     shown = []
     for scheme in ("Catmull-Clark", "Loop", "Modified Butterfly", "Sqrt Three", "Four-Eight", "Doo-Sabin"):
         levels = 8 if scheme == "Four-Eight" else 6 if scheme == "Sqrt Three" else 4
-        found = output(simple.SurfaceSubdivision(Input=source_of(net), Scheme=scheme, NumberOfLevels=levels,
-                                                 ProjectToLimit=1, BasisPoint=24))
+        found = output(simple.SurfaceSubdivision(Input=with_impulse(net, 24), Scheme=scheme, NumberOfLevels=levels,
+                                                 ProjectToLimit=1))
         heights = vtk_to_numpy(found.GetPointData().GetArray("BasisFunction"))
         points = points_of(found)
         points[:, 2] = 3.0 * heights
@@ -149,11 +161,12 @@ def basis_functions():
 def basis_functions_of_solids():
     """Of points of the flower, cut open, whose solid head, surfaces and curve are one object: each function reaches into all
     of them that meet at its point."""
-    model = simple.SubdivisionModel(Model="MixedDimensions")
+    model = output(simple.SubdivisionModel(Model="MixedDimensions"))
     shown = []
     for words, point in (("of the solid", 7), ("of solid and surfaces", 8), ("of solid and curve", 0),
                          ("of surfaces and curve", 72)):
-        found = output(simple.MultidimensionalSubdivision(Input=model, NumberOfLevels=4, ProjectToLimit=1, BasisPoint=point))
+        found = output(simple.MultidimensionalSubdivision(Input=with_impulse(model, point), NumberOfLevels=4,
+                                                          ProjectToLimit=1))
         largest = vtk_to_numpy(found.GetPointData().GetArray("BasisFunction")).max()
         points = look.used_points(found)
         size = np.linalg.norm(points.max(axis=0) - points.min(axis=0))

@@ -5,7 +5,6 @@
 #include "Private/Control/FilterRun.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
-#include "Private/Reading/Impulse.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/SelectedParts.h"
@@ -155,25 +154,6 @@ vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::Mark(
       AddFlags(parts->second.Cells, mesh->GetNumberOfCells(), copy->GetCellData());
       return copy;
     });
-}
-
-vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::AddBasis(
-  vtkDataObject* readable, vtkIdType point)
-{
-  if (point < 0 || !readable)
-  {
-    return readable;
-  }
-  bool found = false;
-  const auto made = subdivision::AddImpulse(readable, point, found);
-  if (!found && !this->SharesRanks())
-  {
-    subdivision::Warn(this,
-      "BasisPoint is " + std::to_string(point) +
-        ", but the input has no such point: BasisFunction is 0 everywhere. Take the global id of a "
-        "point or, in a data set without global ids and blocks, its index.");
-  }
-  return made;
 }
 
 bool vtkMarkedSubdivisionAlgorithm::ReadFeatureOptions(

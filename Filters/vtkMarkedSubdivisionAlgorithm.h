@@ -146,9 +146,6 @@ protected:
   vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   void PrepareRun(vtkDataObject* input) override;
-  /// The mesh with the array of which subdivision makes the basis function of a point; -1: as it
-  /// is.
-  vtkSmartPointer<vtkDataObject> AddBasis(vtkDataObject* readable, vtkIdType point);
 
   bool MarkCorners = true;
   bool MarkCreases = false;

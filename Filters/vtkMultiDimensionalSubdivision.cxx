@@ -59,12 +59,6 @@ void vtkMultiDimensionalSubdivision::Inspect(vtkDataObject*, vtkDataObject* read
   }
 }
 
-vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Mark(
-  vtkDataObject* input, vtkDataObject* readable)
-{
-  return this->AddBasis(this->Superclass::Mark(input, readable), this->BasisPoint);
-}
-
 vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObject* made)
 {
   const auto part = subdivision::TakeDimensions(
@@ -226,7 +220,6 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
-  os << indent << "BasisPoint: " << this->BasisPoint << "\n";
   os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";

@@ -133,12 +133,6 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT,
-    LINEAR
-  };
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default; into tetrahedra,
@@ -262,19 +256,6 @@ public:
   vtkSetMacro(GenerateTangents, bool);
   vtkGetMacro(GenerateTangents, bool);
   vtkBooleanMacro(GenerateTangents, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The point whose basis function is output, as point array `BasisFunction` (double): what becomes
-   * of 1 at this point and 0 at all others, by the same operator as of any array; with
-   * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
-   * other points. Where the input has global ids it is the point of that id; else, in a single data
-   * set, of that index. If there is no such point a warning says so. All basis functions add up to
-   * 1. Negative: there is no such array; default -1.
-   */
-  vtkSetMacro(BasisPoint, vtkIdType);
-  vtkGetMacro(BasisPoint, vtkIdType);
   ///@}
 
   ///@{
@@ -475,7 +456,6 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
-  vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
 
@@ -487,7 +467,6 @@ protected:
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
-  vtkIdType BasisPoint = -1;
   bool GenerateErrorBounds = false;
   int OutputCells = LINEAR_CELLS;
   double BezierTolerance = 1e-4;

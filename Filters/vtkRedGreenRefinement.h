@@ -113,11 +113,6 @@ public:
   void SetPlacementToLimit() { this->SetPlacement(LIMIT); }
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT
-  };
   ///@{
   /**
    * Which limit solids have, where Placement is LIMIT or a criterion asks for it: BOX_SPLINE (0,

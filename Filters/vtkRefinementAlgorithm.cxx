@@ -20,7 +20,6 @@
 
 vtkRefinementAlgorithm::vtkRefinementAlgorithm()
 {
-  this->MaximumNumberOfCells = 50000000;
   this->SetNumberOfInputPorts(2);
 }
 

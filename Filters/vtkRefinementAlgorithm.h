@@ -25,10 +25,10 @@
  *  - 7, integer cell array for RefineByWantedLevel. Unset: `WantedLevel` if there.
  *
  * @par Errors
- * An array that is named but cannot be used is an error. At MaximumNumberOfCells (here 50 million
- * by default), or where there is no more memory, refinement stops with a warning; the places with
- * the largest errors were refined first. It also stops with a warning where no number lies between
- * the ends of an edge. An empty selection and values that are not finite give warnings, too.
+ * An array that is named but cannot be used is an error. At MaximumNumberOfCells, or where there
+ * is no more memory, refinement stops with a warning; the places with the largest errors were
+ * refined first. It also stops with a warning where no number lies between the ends of an edge. An
+ * empty selection and values that are not finite give warnings, too.
  *
  * @sa
  * vtkRedGreenRefinement vtkAdaptiveSurfaceSubdivision

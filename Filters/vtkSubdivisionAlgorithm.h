@@ -109,6 +109,14 @@ public:
   vtkTypeMacro(vtkSubdivisionAlgorithm, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /// How solids are split and smoothed, in all filters with an option VolumeScheme.
+  enum VolumeSchemes
+  {
+    BOX_SPLINE,
+    TET_OCT,
+    LINEAR
+  };
+
   ///@{
   /**
    * Whether integer point arrays are smoothed and rounded, like colours, too. Off by default: a new

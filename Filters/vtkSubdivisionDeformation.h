@@ -133,11 +133,6 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT
-  };
   ///@{
   /**
    * How solids are split and smoothed: BOX_SPLINE (0, the default) or TET_OCT (1; the paper's own

@@ -238,12 +238,11 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   options.SmoothingSteps = this->NumberOfSmoothingSteps;
   options.LargestMove = this->MaximumDisplacement;
   options.Levels = this->NumberOfLevels;
-  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   InnerFilter inner(options);
   inner->SetController(nullptr);
   inner->SetNumberOfLevels(this->NumberOfLevels);
-  inner->SetVolumeScheme(this->VolumeScheme); // the same values
-  inner->SetMaximumNumberOfCells(this->MaximumNumberOfCells);
+  inner->SetVolumeScheme(this->VolumeScheme);
+  inner->SetMaximumNumberOfCells(VTK_ID_MAX); // memory is the only limit
   inner->SetProjectToLimit(true);
   inner->SetInterpolatePoints(true);
   inner->SetPreserveInterfaces(true);
@@ -253,11 +252,6 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   options.Subdivide = [&inner](vtkUnstructuredGrid* grid, vtkPolyData* creases)
   { return inner.Run(grid, creases); };
   return subdivision::MakeLabelSolid(image, options, output);
-}
-
-void vtkSubdivisionLabelSolid::SetMaximumNumberOfCellsAsDouble(double cells)
-{
-  this->SetMaximumNumberOfCells(subdivision::ToCount(cells));
 }
 
 void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)
@@ -272,5 +266,4 @@ void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "NumberOfSmoothingSteps: " << this->NumberOfSmoothingSteps << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
-  os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
 }

@@ -55,7 +55,7 @@
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
  * if voxels have no volume (a spacing is 0 or not finite),
- * if the output would have more than MaximumNumberOfCells cells, or if there is not enough memory.
+ * or if the output would take more memory than there is.
  * An image of background alone gives no cells, and a warning; labels that coarsening loses, tears
  * apart or joins give a warning, too, and values that are NaN or infinite, which are background.
  *
@@ -68,6 +68,7 @@
 #ifndef vtkSubdivisionLabelSolid_h
 #define vtkSubdivisionLabelSolid_h
 
+#include "vtkSubdivisionAlgorithm.h"     // for VolumeSchemes
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -153,20 +154,16 @@ public:
   vtkGetMacro(NumberOfLevels, int);
   ///@}
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT
-  };
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; adds the
    * cell array `OctahedronId`), as in vtkMultiDimensionalSubdivision. Interfaces are the same.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkSetClampMacro(
+    VolumeScheme, int, vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT);
   vtkGetMacro(VolumeScheme, int);
-  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
-  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::BOX_SPLINE); }
+  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::TET_OCT); }
   ///@}
 
   ///@{
@@ -186,17 +183,6 @@ public:
    */
   vtkSetClampMacro(MaximumDisplacement, double, 0., 1.);
   vtkGetMacro(MaximumDisplacement, double);
-  ///@}
-
-  ///@{
-  /**
-   * The filter stops with an error, before it takes any memory for them, if the output would have
-   * more cells than this, 1 or more. Default 500 million. The panels of ParaView, which show no
-   * numbers of 64 bits, set it as a double, cut to a whole number.
-   */
-  vtkSetClampMacro(MaximumNumberOfCells, vtkIdType, 1, VTK_ID_MAX);
-  vtkGetMacro(MaximumNumberOfCells, vtkIdType);
-  void SetMaximumNumberOfCellsAsDouble(double cells);
   ///@}
 
 protected:
@@ -223,10 +209,9 @@ protected:
   int Connectivity = CORNERS;
   bool FlatBorder = true;
   int NumberOfLevels = 1;
-  int VolumeScheme = BOX_SPLINE;
+  int VolumeScheme = vtkSubdivisionAlgorithm::BOX_SPLINE;
   int NumberOfSmoothingSteps = 20;
   double MaximumDisplacement = .55;
-  vtkIdType MaximumNumberOfCells = 500000000;
 
 private:
   /// Sets the array of labels of `options`. Returns false after an error.

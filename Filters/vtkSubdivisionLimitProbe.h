@@ -72,11 +72,6 @@ public:
   /// Connects the points, at port 3.
   void SetPlacesConnection(vtkAlgorithmOutput* output);
 
-  enum VolumeSchemes
-  {
-    BOX_SPLINE,
-    TET_OCT
-  };
   ///@{
   /**
    * How the limit of solids is smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; no

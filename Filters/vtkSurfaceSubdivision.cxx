@@ -104,12 +104,6 @@ int vtkSurfaceSubdivision::GetLayersOfCells() const
     static_cast<subdivision::SurfaceSchemeKind>(this->Scheme));
 }
 
-vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Mark(
-  vtkDataObject* input, vtkDataObject* readable)
-{
-  return this->AddBasis(this->Superclass::Mark(input, readable), this->BasisPoint);
-}
-
 vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made)
 {
   if (!this->WritesBezierCells())
@@ -127,13 +121,6 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
 int vtkSurfaceSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (this->Adaptive)
-  {
-    subdivision::Fail(this,
-      "Adaptive refinement is a filter of its own: use vtkAdaptiveSurfaceSubdivision, "
-      "which has the same criteria. For uniform subdivision switch Adaptive off here.");
-    return 0;
-  }
   subdivision::SurfaceOptions options;
   options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
   options.Levels = this->NumberOfLevels;
@@ -206,12 +193,10 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  os << indent << "Adaptive: " << this->Adaptive << "\n";
   os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
-  os << indent << "BasisPoint: " << this->BasisPoint << "\n";
   os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";

@@ -221,17 +221,6 @@ public:
 
   ///@{
   /**
-   * Older scripts and state files switch adaptive refinement on here. It is a filter of its own
-   * now, vtkAdaptiveSurfaceSubdivision; with this option on, this filter stops with an error that
-   * says so. Off by default.
-   */
-  vtkSetMacro(Adaptive, bool);
-  vtkGetMacro(Adaptive, bool);
-  vtkBooleanMacro(Adaptive, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether the rules near boundaries, creases and corners depend on the number of faces and the
    * angle there, without which surfaces are not smooth at boundary vertices of many faces and fold
    * at concave corners. On by default; off gives the plain rules.
@@ -304,29 +293,6 @@ public:
   vtkBooleanMacro(GenerateErrorBounds, bool);
   ///@}
 
-  ///@{
-  /**
-   * An older name of GenerateLimitNormals.
-   */
-  void SetGenerateNormals(bool on) { this->SetGenerateLimitNormals(on); }
-  bool GetGenerateNormals() { return this->GetGenerateLimitNormals(); }
-  void GenerateNormalsOn() { this->GenerateLimitNormalsOn(); }
-  void GenerateNormalsOff() { this->GenerateLimitNormalsOff(); }
-  ///@}
-
-  ///@{
-  /**
-   * The point whose basis function is output, as point array `BasisFunction` (double): what becomes
-   * of 1 at this point and 0 at all others, by the same operator as of any array; with
-   * ProjectToLimit its limit, with InterpolateArrays that function which is 1 there and 0 at all
-   * other points. Where the input has global ids it is the point of that id; else, in a single data
-   * set, of that index. If there is no such point a warning says so. All basis functions add up to
-   * 1. Negative: there is no such array; default -1.
-   */
-  vtkSetMacro(BasisPoint, vtkIdType);
-  vtkGetMacro(BasisPoint, vtkIdType);
-  ///@}
-
   enum OutputCellTypes
   {
     LINEAR_CELLS,
@@ -374,14 +340,6 @@ public:
   vtkGetMacro(JoinSeams, bool);
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
-
-  /// Rules for joints, by names that hold for Type1Rule, Type2Rule and Type3Rule. For Loop they say
-  /// what vertices and edges do there; the other schemes stay sharp.
-  enum JointRules
-  {
-    BLEND = TYPE1_BLEND,
-    SHARP = TYPE1_SHARP
-  };
 
   ///@{
   /**
@@ -473,19 +431,16 @@ protected:
   }
   bool JoinsSeams() const override { return this->JoinSeams; }
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
-  vtkSmartPointer<vtkDataObject> Mark(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Scheme = LOOP;
   int NumberOfLevels = 1;
-  bool Adaptive = false;
   bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
-  vtkIdType BasisPoint = -1;
   bool GenerateErrorBounds = false;
   int OutputCells = LINEAR_CELLS;
   double BezierTolerance = 1e-4;

@@ -61,7 +61,7 @@ room(Private/Deformation Core Private Private/Reading Private/Arrays Private/Con
 room(Private/Topology Core Private Private/Reading Private/Arrays Private/Control)
 room(Private/Smoothness Core Private Private/Reading Private/Arrays Private/Control Private/Surface)
 room(Private/Labels Core Private Private/Arrays Private/Control)
-room(Private/Models Private)
+room(Private/Models)
 
 set(pipeline "^[ \t]*#[ \t]*include[ \t]*[<\"](\\.\\./|vtkSubdivision|vtk[A-Za-z0-9]*(Algorithm|DataSet|DataObject|Grid|PolyData|PointSet|PointData|CellData|FieldData|Filter|Executive|Information|Pipeline))")
 set(bad 0)

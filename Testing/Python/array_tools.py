@@ -248,7 +248,7 @@ class Chosen(unittest.TestCase):
         np.testing.assert_array_equal(marked.points, expected.points)
 
     def test_truth_values_are_no_numbers(self):
-        for name in ("basis_point", "levels", "feature_angle", "scheme"):
+        for name in ("maximum_cells", "levels", "feature_angle", "scheme"):
             with self.subTest(name), self.assertRaisesRegex(ValueError, "not True"):
                 subdivisionobjects.subdivide(TET, CELL, **{name: True})
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()

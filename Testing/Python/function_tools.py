@@ -224,9 +224,9 @@ class Options(unittest.TestCase):
             missing = ours - commands - {"SetOutputDimensions"}
             without = {"SetLoopWeights"} & missing if name in UNWEIGHTED else set()
             self.assertLessEqual(missing - without, {
-                "SetAdaptive", "SetGenerateNormals", "SetEmbeddedCells", "SetInterpolateIntegers",
-                "SetGenerateOriginalIds", "SetGenerateGlobalIds", "SetInterpolatePoints", "SetInterpolateArrays",
-                "SetInterpolationWeight", "SetBounds", "SetInterfaceValues"}, name)
+                "SetEmbeddedCells", "SetInterpolateIntegers", "SetGenerateOriginalIds", "SetGenerateGlobalIds",
+                "SetInterpolatePoints", "SetInterpolateArrays", "SetInterpolationWeight", "SetBounds",
+                "SetInterfaceValues"}, name)
 
     def test_defaults_and_help(self):
         for name in functions.__all__:

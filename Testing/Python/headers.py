@@ -56,10 +56,15 @@ class Option:
         self.text = words(text)
         self.clamp = clamp  # the ends, as they are written; empty: values are not clamped
         self.is_enumeration = bool(clamp) and clamp[0][0].isalpha()
-        self.older = re.match(r"An older name of (\w+)\.", self.text)
+        # The class that has the names of the enumeration, where it is not the option's own.
+        self.scope = clamp[0].rpartition("::")[0] if clamp else ""
+
+    def constant(self, cls, name):
+        """The number of a name of the enumeration."""
+        return int(getattr(getattr(subdivisionobjects, self.scope) if self.scope else cls, name.rpartition("::")[2]))
 
     def ends(self, cls):
-        return tuple(int(getattr(cls, end)) if self.is_enumeration else number(end) for end in self.clamp)
+        return tuple(self.constant(cls, end) if self.is_enumeration else number(end) for end in self.clamp)
 
     def get(self, made):
         value = getattr(made, "Get" + self.name)()
@@ -121,7 +126,7 @@ class Header:
     def find_options(cls, declaration):
         comment = ""
         for match in re.finditer(
-                r"/\*\*(?P<comment>.*?)\*/|///@\}|vtkSet\w*Macro\((?P<name>\w+), \w+(?P<clamp>[^;]*)\);|"
+                r"/\*\*(?P<comment>.*?)\*/|///@\}|vtkSet\w*Macro\(\s*(?P<name>\w+), \w+(?P<clamp>[^;]*)\);|"
                 r"void Set(?P<method>\w+)\(", declaration, re.S):
             name = match["name"] or match["method"]
             if not name:

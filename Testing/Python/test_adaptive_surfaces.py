@@ -1,16 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adaptive surface subdivision in ParaView: properties, selections, functions, state files, also older ones."""
+"""Adaptive surface subdivision in ParaView: properties, selections, functions, state files."""
 
-import os
 import unittest
-import xml.etree.ElementTree as ElementTree
 
 import numpy as np
 import tools
 from paraview import servermanager, simple
-from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.util.vtkConstants import VTK_STRING
 
 LEVELS = 4
 
@@ -92,56 +88,6 @@ class InParaView(unittest.TestCase):
         found = tools.saved_and_loaded(proxy)
         self.assertEqual(list(found.ImplicitFunction.Center), [0.25, 0.5, 0])
         self.assertEqual(tools.numbers(updated(found)), wanted)
-
-
-class OlderStates(unittest.TestCase):
-    """Those in which Surface Subdivision has Adaptive and the criteria."""
-
-    def load(self, adaptive):
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        surface = simple.SurfaceSubdivision(Input=simple.Sphere(), Scheme="Sqrt Three", Adaptive=adaptive)
-        simple.RenameSource("older", surface)
-        path = os.path.abspath("older.pvsm")
-        simple.SaveState(path)
-        state = ElementTree.parse(path)
-        proxy = next(element for element in state.iter("Proxy") if element.get("type") == "SurfaceSubdivision")
-        for name, value in (("RefineByAttributeError", 0), ("RefineByGeometricError", 1), ("MaximumLevel", 6)):
-            self.assertIsNone(proxy.find(f"Property[@name='{name}']"))
-            criterion = ElementTree.SubElement(
-                proxy, "Property", name=name, id=f"{proxy.get('id')}.{name}", number_of_elements="1")
-            ElementTree.SubElement(criterion, "Element", index="0", value=str(value))
-        state.write(path)
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        simple.LoadState(path)
-        return simple.FindSource("older")
-
-    def update(self, proxy):
-        messages = []
-
-        @calldata_type(VTK_STRING)
-        def listen(_, __, message):
-            messages.append(message)
-
-        proxy.UpdateVTKObjects()
-        proxy.GetClientSideObject().AddObserver("ErrorEvent", listen)
-        return updated(proxy), messages
-
-    def test_adaptive_ones_say_what_to_use(self):
-        found = self.load(1)
-        self.assertEqual((found.Scheme, found.Adaptive), ("Sqrt Three", 1))
-        mesh, messages = self.update(found)
-        self.assertEqual(mesh.GetNumberOfCells(), 0)
-        self.assertEqual(len(messages), 1)
-        self.assertIn('"Adaptive Surface Subdivision"', messages[0])
-        found.Adaptive = 0
-        self.assertGreater(updated(found).GetNumberOfCells(), 0)
-
-    def test_uniform_ones_load(self):
-        mesh, messages = self.update(self.load(0))
-        self.assertEqual(messages, [])
-        self.assertEqual(mesh.GetNumberOfCells(), 3 * updated(simple.Sphere()).GetNumberOfCells())
 
 
 if __name__ == "__main__":

@@ -51,15 +51,11 @@ class Limit(unittest.TestCase):
                 seen.Update()
                 self.assertGreater(self.lengths(seen.GetOutput()).min(), 0.)
 
-    def test_the_older_name(self):
-        for name, value in (("GenerateLimitNormals", 1), ("GenerateNormals", 1), ("GenerateNormals", [1])):
-            with self.subTest(name):
-                surface = simple.SurfaceSubdivision(Input=simple.Sphere(), **{name: value})
-                surface.UpdatePipeline()
-                self.assertTrue(tools.output(surface).GetPointData().HasArray("LimitNormals"))
-        surface = simple.SurfaceSubdivision(Input=simple.Sphere())
-        surface.UpdatePipeline()
-        self.assertFalse(tools.output(surface).GetPointData().HasArray("LimitNormals"))
+    def test_normals_of_a_surface_are_made_on_request(self):
+        for wanted in (False, True):
+            surface = simple.SurfaceSubdivision(Input=simple.Sphere(), GenerateLimitNormals=wanted)
+            surface.UpdatePipeline()
+            self.assertEqual(bool(tools.output(surface).GetPointData().HasArray("LimitNormals")), wanted)
 
     @staticmethod
     def lengths(data):

@@ -288,8 +288,8 @@ class Proxies(unittest.TestCase):
     def test_the_largest_size_is_in_the_panel(self):
         """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
         for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement",
-                     "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SubdivisionLabelSolid",
-                     "SimplicialComplexTopology", "SubdivisionLimitProbe", "SubdivisionSmoothness"):
+                     "AdaptiveSurfaceSubdivision", "SubdivisionDeformation", "SimplicialComplexTopology",
+                     "SubdivisionLimitProbe", "SubdivisionSmoothness"):
             proxy = definition(name)
             prop = proxy.GetProperty("MaximumNumberOfCells")
             self.assertEqual(prop.GetPanelVisibility(), "default", name)

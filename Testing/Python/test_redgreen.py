@@ -52,7 +52,7 @@ class Properties(unittest.TestCase):
         for name in names:
             prop = proxy.SMProxy.GetProperty(name)
             self.assertEqual(prop.GetElement(0), getattr(made, "Get" + name)(), name)
-        self.assertEqual(made.GetMaximumNumberOfCells(), 50000000)
+        self.assertEqual(made.GetMaximumNumberOfCells(), 500000000)
 
     def test_arrays_are_offered(self):
         proxy = simple.RedGreenRefinement(Input=model())

@@ -22,7 +22,7 @@ PROGRAM = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")
 DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
 SHIP = str(DATA / "Ship.vtu")
 # What the panels do not show either.
-HIDDEN = {"vtkSurfaceSubdivision": {"Adaptive", "GenerateNormals", "EmbeddedCells"},
+HIDDEN = {"vtkSurfaceSubdivision": {"EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights"},
           "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights"},
           "vtkSubdivisionLimitProbe": {"InterfaceValues"}, "vtkSubdivisionSmoothness": {"InterfaceValues"},

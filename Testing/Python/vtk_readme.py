@@ -37,6 +37,7 @@ class ReadmeTest(unittest.TestCase):
         self.assertEqual(names["tetrahedra"].shape, (512, 4))
         self.assertEqual(len(names["temperature"]), len(names["fine_points"]))
         self.assertEqual(len(names["solid"].cells), 8 * 6 * 8 * 6 * 4)
+        self.assertEqual(names["basis"].argmax(), 7)
 
     def test_program(self):
         program = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")

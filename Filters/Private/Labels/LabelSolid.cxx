@@ -101,6 +101,14 @@ bool LabelSolid::HasMemory() const
   constexpr double bytesPerCell = 300.;
   const double voxels = static_cast<double>(this->Options.Labels->GetNumberOfTuples());
   const double cells = static_cast<double>(this->Coarse.NumberOfMaterialVoxels);
+  const double tets = cells * TetsOfCube * std::ldexp(1., 3 * this->Options.Levels);
+  const std::string tooMany =
+    CheckMemory(tets, tets / TetsOfCube, 41. * tets, this->Options.Levels);
+  if (!tooMany.empty())
+  {
+    this->Options.Fail(tooMany + " Or make NumberOfControlCells smaller.");
+    return false;
+  }
   const double bytes = bytesPerVoxel * voxels + bytesPerCell * cells;
   KeepEstimate(bytes);
   if (bytes > GetAvailableMemory())
@@ -111,14 +119,7 @@ bool LabelSolid::HasMemory() const
       "smaller.");
     return false;
   }
-  const double tets = cells * TetsOfCube * std::ldexp(1., 3 * this->Options.Levels);
-  const std::string tooMany =
-    CheckNumberOfCells(tets, 41. * tets, this->Options.Levels, this->Options.MaximumNumberOfCells);
-  if (!tooMany.empty())
-  {
-    this->Options.Fail(tooMany + " Or make NumberOfControlCells smaller.");
-  }
-  return tooMany.empty();
+  return true;
 }
 
 /// Whether a point of a cell of the image is hidden.

@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Models.h
- * The control meshes of vtkSubdivisionModelSource, one function each. What they show is told in the
- * documentation of that class.
+ * The control meshes of vtkSubdivisionModelSource: the files in Data, which WriteTables.cmake turns
+ * into tables while the library is built. What they show is told in the documentation of that
+ * class.
  */
 #ifndef SubdivisionObjects_Models_h
 #define SubdivisionObjects_Models_h
 
-#include "Private/Models/ModelBuilder.h"
+#include "vtkType.h"
 
 namespace subdivision
 {
 
-void BuildMixedDimensions(ModelBuilder& model);
-void BuildScrew(ModelBuilder& model);
-void BuildSpringAndValve(ModelBuilder& model);
-void BuildShip(ModelBuilder& model);
-void BuildMechanicalPart(ModelBuilder& model);
-void BuildCharacter(ModelBuilder& model);
-void BuildMaterialBlock(ModelBuilder& model);
-void BuildCylinder(ModelBuilder& model);
+struct Model
+{
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfCells;
+  const double* Points; ///< three coordinates each
+  const double* Tension;
+  const vtkIdType* Connectivity;
+  const vtkIdType* Offsets; ///< where each cell ends in Connectivity
+  const unsigned char* Types;
+  const int* MaterialId;
+  const int* Singular;
+};
+
+extern const Model MixedDimensions;
+extern const Model Screw;
+extern const Model SpringAndValve;
+extern const Model Ship;
+extern const Model MechanicalPart;
+extern const Model Character;
+extern const Model MaterialBlock;
+extern const Model Cylinder;
 
 }
 

@@ -246,26 +246,6 @@ TEST(AdaptiveSurfaceFunction, WithoutOneThereIsAnError)
   EXPECT_NE(messages->Errors[0].find("RefineByFunction needs"), std::string::npos);
 }
 
-/// Older scripts asked vtkSurfaceSubdivision for it.
-TEST(AdaptiveSurface, OlderScriptsAreToldWhatToUse)
-{
-  vtkNew<Messages> messages;
-  vtkNew<vtkSurfaceSubdivision> filter;
-  messages->Watch(filter);
-  filter->SetInputData(MakeHill(4));
-  filter->SetSchemeToSqrtThree();
-  filter->AdaptiveOn();
-  filter->Update();
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
-  ASSERT_FALSE(messages->Errors.empty());
-  EXPECT_NE(messages->Errors[0].find("use vtkAdaptiveSurfaceSubdivision"), std::string::npos);
-  messages->Errors.clear();
-  filter->AdaptiveOff();
-  filter->Update();
-  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
-  EXPECT_TRUE(messages->Errors.empty());
-}
-
 /// Options for solids are not ignored in silence.
 TEST(AdaptiveSurface, OptionsWithoutRulesAreToldOf)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestBasisFunctions.cxx
- * BasisPoint: what becomes of 1 at one point and 0 at all others.
+ * Basis functions: what becomes of an array that is 1 at one point and 0 at all others.
  */
 #include "FeatureTools.h"
 
@@ -9,7 +9,6 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSubdivisionOperator.h"
 
@@ -21,24 +20,27 @@ namespace
 using Solids = vtkMultiDimensionalSubdivision;
 using Surfaces = vtkSurfaceSubdivision;
 
-std::vector<double> GetValues(vtkDataSet* output, const char* name = "BasisFunction")
+template <typename FilterClass>
+std::vector<double> FindBasis(FilterClass* filter, vtkDataSet* input, vtkIdType point)
 {
-  vtkDataArray* array = output->GetPointData()->GetArray(name);
+  vtkNew<vtkDoubleArray> impulse;
+  impulse->SetName("Impulse");
+  impulse->SetNumberOfTuples(input->GetNumberOfPoints());
+  impulse->Fill(0.);
+  impulse->SetValue(point, 1.);
+  const auto copy = vtkSmartPointer<vtkDataSet>::Take(input->NewInstance());
+  copy->ShallowCopy(input);
+  copy->GetPointData()->AddArray(impulse);
+  filter->SetInputDataObject(copy);
+  filter->Update();
+  auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  vtkDataArray* array = output->GetPointData()->GetArray("Impulse");
   std::vector<double> values;
   for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     values.push_back(array->GetComponent(i, 0));
   }
   return values;
-}
-
-template <typename FilterClass>
-std::vector<double> FindBasis(FilterClass* filter, vtkDataObject* input, vtkIdType point)
-{
-  filter->SetBasisPoint(point);
-  filter->SetInputDataObject(input);
-  filter->Update();
-  return GetValues(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)));
 }
 
 /// All basis functions add up to 1, and each is a column of the operator.
@@ -114,26 +116,6 @@ TEST(BasisFunctions, AreColumnsOfTheOperatorAndAddUpToOne)
   }
 }
 
-TEST(BasisFunctions, AreWhatBecomesOfAnImpulse)
-{
-  const Grid box = MakeKuhnBox(3);
-  vtkNew<vtkDoubleArray> impulse;
-  impulse->SetName("Impulse");
-  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
-  {
-    impulse->InsertNextValue(i == 21 ? 1. : 0.);
-  }
-  box->GetPointData()->AddArray(impulse);
-  vtkNew<Solids> filter;
-  filter->SetNumberOfLevels(2);
-  EXPECT_TRUE(FindBasis(filter.Get(), box, -1).empty()); // off by default
-  EXPECT_EQ(filter->GetBasisPoint(), -1);
-  const std::vector<double> values = FindBasis(filter.Get(), box, 21);
-  EXPECT_EQ(values, GetValues(filter->GetUnstructuredGridOutput(), "Impulse"));
-  EXPECT_GT(*std::max_element(values.begin(), values.end()), 0.1);
-  EXPECT_FALSE(box->GetPointData()->HasArray("BasisFunction")); // the input stays as it is
-}
-
 TEST(BasisFunctions, InterpolateOnRequest)
 {
   const Grid box = MakeKuhnBox(3);
@@ -146,41 +128,4 @@ TEST(BasisFunctions, InterpolateOnRequest)
   {
     EXPECT_NEAR(values[i], i == 21 ? 1. : 0., 1e-8);
   }
-}
-
-TEST(BasisFunctions, OfGlobalIdsInOneMeshAndInBlocks)
-{
-  const Grid box = MakeKuhnBox(3);
-  vtkNew<Solids> filter;
-  const std::vector<double> expected = FindBasis(filter.Get(), box, 21);
-  const Grid named = DeepCopy(box);
-  vtkNew<vtkIdTypeArray> ids;
-  ids->SetName("Ids");
-  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
-  {
-    ids->InsertNextValue(1000 + 2 * i);
-  }
-  named->GetPointData()->SetGlobalIds(ids);
-  EXPECT_EQ(FindBasis(filter.Get(), named, 1042), expected);
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, named);
-  filter->SetBasisPoint(1042);
-  filter->SetInputDataObject(blocks);
-  filter->Update();
-  auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  ASSERT_TRUE(made);
-  EXPECT_EQ(GetValues(vtkDataSet::SafeDownCast(made->GetBlock(0))), expected);
-}
-
-TEST(BasisFunctions, AMissingPointIsSaid)
-{
-  const Grid box = MakeKuhnBox(1);
-  vtkNew<Solids> filter;
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  for (const double value : FindBasis(filter.Get(), box, 8))
-  {
-    EXPECT_EQ(value, 0.);
-  }
-  EXPECT_EQ(messages->CountWarnings("BasisPoint is 8, but the input has no such point"), 1);
 }

@@ -209,8 +209,7 @@ TEST(SubdivisionLabelSolid, AScanKeepsVolumesAndShape)
   const Image image = MakeImage({ n, n, n }, ScanOf(n));
   const auto wanted = Count(image);
   ASSERT_EQ(wanted.size(), 3u);
-  for (const int scheme :
-    { vtkSubdivisionLabelSolid::BOX_SPLINE, vtkSubdivisionLabelSolid::TET_OCT })
+  for (const int scheme : { vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT })
   {
     Made made;
     made->SetNumberOfControlCells(0);
@@ -501,10 +500,11 @@ TEST(SubdivisionLabelSolid, WhatCannotBeDoneIsSaid)
   made.Run(image);
   made.ExpectError("two points");
   image = MakeImage({ 9, 9, 9 }, [](int, int, int) { return 1; });
-  made->SetMaximumNumberOfCells(1000);
+  made->SetNumberOfLevels(15);
   made.Run(image);
-  made.ExpectError("MaximumNumberOfCells = 1000");
-  made->SetMaximumNumberOfCells(500000000);
+  made.ExpectError("NumberOfLevels = 15 would make 1.54e+17 cells");
+  made.ExpectError("Or make NumberOfControlCells smaller.");
+  made->SetNumberOfLevels(1);
   EXPECT_GT(made.Run(image)->GetNumberOfCells(), 0);
   made.Filter->UpdatePiece(1, 2, 0);
   EXPECT_EQ(made.Filter->GetOutput()->GetNumberOfCells(), 0) << "the first piece is the whole";

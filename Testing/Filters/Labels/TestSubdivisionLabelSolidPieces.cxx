@@ -205,7 +205,7 @@ TEST(SubdivisionLabelSolid, AnImageWithoutBackgroundIsABox)
   for (const int cells : { 0, 70 })
   {
     for (const int scheme :
-      { vtkSubdivisionLabelSolid::BOX_SPLINE, vtkSubdivisionLabelSolid::TET_OCT })
+      { vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT })
     {
       Made made;
       made->SetNumberOfControlCells(cells);

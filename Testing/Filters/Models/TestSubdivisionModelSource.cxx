@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestSubdivisionModelSource.cxx
- * Every model is a valid complex with the promised parts and arrays, and Data/ holds the same.
+ * Every model is a valid complex with the promised parts and arrays, and what VTK reads from Data/.
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
@@ -459,6 +459,24 @@ TEST_P(SubdivisionModelSource, EqualsItsFileInData)
   reader->Update();
   ASSERT_NE(reader->GetOutput()->GetPointData()->GetScalars(), nullptr);
   ExpectEqual(Make(GetParam()), reader->GetOutput());
+}
+
+/// Such numbers are exact in the text of the files.
+TEST_P(SubdivisionModelSource, NumbersHaveFourDecimals)
+{
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  for (vtkDataArray* array : { grid->GetPoints()->GetData(), grid->GetPointData()->GetScalars() })
+  {
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+      {
+        const double value = array->GetComponent(i, k);
+        EXPECT_EQ(value, std::round(value * 1e4) / 1e4) << "point " << i;
+        EXPECT_FALSE(value == 0. && std::signbit(value)) << "point " << i;
+      }
+    }
+  }
 }
 
 TEST_P(SubdivisionModelSource, IsSubdividedWithoutAWarning)

@@ -266,7 +266,7 @@ TEST(SurfaceJoints, BordersDoNotCountAmongSharpJoints)
   vtkNew<vtkSurfaceSubdivision> loop;
   loop->SetInputData(MakeInput(model));
   loop->ModifiedBoundaryOff();
-  loop->SetType2Rule(vtkSurfaceSubdivision::SHARP);
+  loop->SetType2RuleToSharp();
   loop->Update();
   vtkNew<vtkMultiDimensionalSubdivision> main;
   main->SetInputData(MakeInput(model));
