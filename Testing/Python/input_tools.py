@@ -28,7 +28,7 @@ class Refusals(unittest.TestCase):
     def refuses(self, text, call, error=ValueError):
         with self.subTest(text), self.assertRaisesRegex(error, text) as found:
             call()
-        return str(found.exception)
+        return str(getattr(found, "exception", ""))
 
 
 class Texts(Refusals):
@@ -197,6 +197,9 @@ class Messages(Refusals):
             return lambda: subdivisionobjects.red_green_refinement(POINTS, TETS, refine={name: value})
 
         self.refuses("'selection' takes no number: .*selection=", refined("selection", {"cells": [0]}))
+        self.refuses("'wanted_level' takes no number: .*wanted_level_array=", refined("wanted_level", .5))
+        self.refuses("'wanted_level' takes no number", lambda: subdivisionobjects.adaptive_surface_subdivision(
+            POINTS, TRIANGLES, refine={"wanted_level": 2}))
 
     def test_words_of_filters(self):
         with self.assertWarnsRegex(UserWarning, "Give selection={'cells': ids}"):
