@@ -171,8 +171,8 @@ def to_array(name, values, count, what="points or cells", forms=None):
     """An array of VTK with a value, or a row of values, for each of `count`. What VTK does not keep of it goes into
     `forms`, by its name: the shape of its rows, and whether it has truth values."""
     shown = f"the array {name!r}"
-    if not isinstance(name, (str, type(None))):
-        raise ValueError(f"{shown} must have a text as its name")
+    if not isinstance(name, (str, type(None))) or "\0" in (name or ""):
+        raise ValueError(f"{shown} must have a text without zero bytes as its name")
     check_texts("the name of an array", [name or ""])
     values = to_numpy(shown, values)
     if values.ndim == 0:

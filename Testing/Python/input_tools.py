@@ -43,6 +43,8 @@ class Texts(Refusals):
             np.ones((2, 2, 2), int), materials={"Label": [1], "Name": [bad]}))
         self.refuses(r"name of an array has 'caf\\udce9'",
                      lambda: subdivisionobjects.subdivide(POINTS, TETS, point_data={bad: np.zeros(5)}))
+        self.refuses(r"array 'a\\x00b' must have a text without zero bytes as its name",
+                     lambda: subdivisionobjects.subdivide(POINTS, TETS, point_data={"a\0b": np.zeros(5)}))
         for name, value in (("material_array", bad), ("interpolated_arrays", [bad]), ("texture_coordinates", bad)):
             self.refuses(f"{name} has 'caf", lambda: subdivisionobjects.subdivide(POINTS, TETS, **{name: value}))
 
