@@ -59,6 +59,7 @@ class Option:
         self.count = int(element.get("number_of_elements") or 1)
         self.default = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
         self.types = [entry.get("value") for entry in element.iter("DataType")]
+        self.shown_with = {one.get("property") for one in element.iter("PropertyWidgetDecorator")}
         self.kind = self.find_kind(element)
         if self.kind == "array":
             # Index, port, connection, association; points where the user says which.
@@ -112,13 +113,13 @@ class Filter:
         return re.sub(r"^Subdivision(?=[A-Z])|Source$", "", self.name)
 
     def criteria(self):
-        """Of each option RefineByX that has one the number that belongs to it: it is the first after it."""
+        """Of each option RefineByX the number that belongs to it, if any: the first that panels show with it."""
         found, last = {}, None
         for option in self.options:
             if option.name.startswith("RefineBy"):
                 last = option.name
                 found[last] = None
-            elif last and option.kind == "double" and not found[last]:
+            elif last in option.shown_with and option.kind == "double" and not found[last]:
                 found[last] = option.name
         return found
 

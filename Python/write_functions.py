@@ -30,6 +30,23 @@ IMAGE_HELP = (
     "each cell.")
 
 
+# What messages say for panels and pipelines, and what helps who calls functions.
+SURFACE = ("Give the faces of their surface as cells (of a data set vtkmodules.vtkFiltersGeometry extracts them by "
+           "vtkGeometryFilter, PyVista by extract_surface)")
+SELECTION = "Give selection={'cells': ids} or {'points': ids}"
+WORDS = {"input port 0": "mesh", "vtkDataObjectTree": "vtkMultiBlockDataSet",
+         "Extract their surface first by vtkDataSetSurfaceFilter": SURFACE,
+         "Connect a selection (input port 1)": SELECTION,
+         # The same where ParaView's plugin is loaded.
+         'Extract their surface first by "Extract Surface"': SURFACE, "Connect a selection (selection)": SELECTION,
+         "Disconnect it to have a cage in its Bounds": "Give points, or bounds to the function cage",
+         "Raise Margin": "Raise margin", "set Bounds with a volume": "give bounds with a volume to the function cage"}
+# The bounds of a cage around a mesh are those of the mesh.
+WORDS_WITHOUT_BOUNDS = {"Set them in ascending order, or make Margin smaller":
+                        "Correct the coordinates of the mesh, or make margin smaller"}
+WORDS_OF_BOUNDS = {"make Margin smaller": "make margin smaller"}
+
+
 def snake(name):
     return options.split(name, "_")
 
@@ -76,8 +93,9 @@ def table(one, filters):
         rest += [f"port={option.port}"] if option.port else []
         rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
         lines.append(f"    {quoted(snake(option.name))}: Option({', '.join(rest)}),\n")
-    words = "".join(f"    {quoted(key)}: {quoted(value)},\n"
-                    for key, value in options.words(one, filters, name_in_messages, {}).items())
+    known = {**options.words(one, filters, name_in_messages, {}), **WORDS}
+    known.update(WORDS_OF_BOUNDS if any(option.name == "Bounds" for option in one.options) else WORDS_WITHOUT_BOUNDS)
+    words = "".join(f"    {quoted(key)}: {quoted(value)},\n" for key, value in known.items())
     name = snake(one.short_name)
     return f"_{name} = {{\n{''.join(lines)}}}\n_{name}_words = {{\n{words}}}\n"
 
@@ -122,7 +140,7 @@ def function(one, filters):
     joined = ",\n        ".join(arguments)
     return f'''{table(one, filters)}
 
-@with_nearest
+@checked({short!r})
 def {name}(
         {joined}) -> Any:
     """{documentation(one)}
@@ -146,7 +164,7 @@ from typing import Any, Literal, Mapping, Optional, Sequence, Union
 
 from vtkmodules.vtkCommonDataModel import vtkImplicitFunction
 
-from .run import Option, run, with_nearest
+from .run import Option, checked, run
 
 __version__ = {sys.argv[2]!r}
 __all__ = {names!r}

@@ -6,7 +6,8 @@ import re
 import numpy as np
 from vtkmodules.vtkCommonDataModel import VTK_POLYGON, vtkCellArray
 
-from .values import to_integers, to_numpy, to_vtk_array, to_vtk_ids
+from .run import warn
+from .values import join, to_integers, to_numpy, to_vtk_array, to_vtk_ids
 
 # Type of VTK and number of points, by the names that meshio has, too.
 CELLS = {"vertex": (1, 1), "line": (3, 2), "triangle": (5, 3), "tetra": (10, 4), "quad": (9, 4),
@@ -36,7 +37,7 @@ class Block:
             self.kind = kind_and_size("polygon", min(map(len, rows)))[0]
             self.sizes, self.ids = np.array([len(row) for row in rows]), np.concatenate(rows)
             return
-        rows = to_numpy(name, rows)
+        rows = to_rows(name, rows)
         if rows.size == 0:
             self.kind, self.sizes, self.ids = kind_and_size(name, 3)[0], np.zeros(0, int), np.zeros(0, int)
             return
@@ -63,14 +64,31 @@ class Block:
         raise ValueError(f"{self.name} {cell} has point ids {row}, but there are {number_of_points} points{counted}")
 
 
+def to_rows(name, values):
+    """Rows of cells as an array. Points cannot be missing in them."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has cells with missing points (a mask): leave these cells out, by "
+                         "rows[~rows.mask.any(axis=1)].data")
+    return to_numpy(name, values)
+
+
+def name_of(kind):
+    """The name of cells that are given by it, or by their type of VTK."""
+    is_type = isinstance(kind, (int, np.integer))
+    return NAMES.get(kind, "polygon" if kind == VTK_POLYGON else kind) if is_type else kind
+
+
 def kind_and_size(name, size=None):
     """Of cells by their name, or their type of VTK: polygon5 has 5 points, polygon as many as its rows have."""
-    name = NAMES.get(name, "polygon" if name == VTK_POLYGON else name) if isinstance(name, (int, np.integer)) else name
+    name = name_of(name)
     if name in CELLS:
         return CELLS[name]
     polygon = re.fullmatch("polygon([0-9]*)", str(name))
     count = int(polygon[1] or size or 0) if polygon else 0
     if count < 3:
+        if name == "polygon" and size is not None:
+            raise ValueError(f"there are no cells 'polygon' of {size} points: they have three or more, such as "
+                             "polygon5; cells of two points are lines: give {'line': rows}")
         raise ValueError(f"there are no cells {name!r}: they are {', '.join(CELLS)}, and polygonN with N points each, "
                          "such as polygon5")
     return VTK_POLYGON, count
@@ -82,6 +100,14 @@ def begins_with_size(rows):
     return size > 0 and bool((rows[:, 0] == size).all()) and bool((rows[:, 1:] == size).any())
 
 
+def warn_of_size(rows, name):
+    """Warns where rows may begin with their number of points, or all cells have one point in common."""
+    size = rows.shape[1] - 1
+    if len(rows) > 1 and size > 1 and (rows[:, 0] == size).all():
+        warn(f"all rows of cells begin with {size}, and are taken as cells {name!r} around the point {size}: where "
+             f"it is their number of points, give rows[:, 1:]; where they are right, {{{name!r}: rows}} says so")
+
+
 def cure(rows, size):
     if rows.ndim == 1 and rows.dtype.kind in "iu":
         return (f"; a flat array in which each cell begins with its number of points, as VTK and PyVista have it, "
@@ -90,7 +116,9 @@ def cure(rows, size):
         return "; where each row begins with its number of points, give rows[:, 1:]"
     if rows.ndim == 2 and rows.shape[1] == size + 1:
         return f"; a region or material behind the points belongs to cell_data: give rows[:, :{size}]"
-    if rows.dtype.kind == "f":
+    if rows.dtype.kind == "f" and not np.isfinite(rows).all():
+        return "; NaN is the id of no point: leave the cells that have it out"
+    if rows.dtype.kind == "f" and (rows == np.round(rows)).all():
         return "; give rows.astype(int)"
     return ""
 
@@ -112,7 +140,14 @@ def name_of_rows(rows, of_surfaces):
         sizes = "1 to 4" if of_surfaces else "1 to 4, 6 or 8"
         raise ValueError(f"cells must have a row of {sizes} point ids each, not the shape {rows.shape}"
                          f"{cure(rows, 4)}; {OTHERWISE}")
+    warn_of_size(rows, found[rows.shape[1]])
     return found[rows.shape[1]]
+
+
+def is_pair(one):
+    """Whether it is a type of cells, by its name or that of VTK, and their rows, and not a row of two ids."""
+    return isinstance(one, (list, tuple)) and len(one) == 2 and (isinstance(one[0], str) or (
+        isinstance(one[0], (int, np.integer)) and not isinstance(one[1], (int, float, np.number))))
 
 
 def find_blocks(cells, of_surfaces):
@@ -121,12 +156,14 @@ def find_blocks(cells, of_surfaces):
         return [Block(name, rows) for name, rows in cells.items()]
     if isinstance(cells, (list, tuple)) and len(cells):
         pairs = [(one.type, one.data) if hasattr(one, "type") and hasattr(one, "data") else one for one in cells]
-        if all(isinstance(one, (list, tuple)) and len(one) == 2 and isinstance(one[0], str) for one in pairs):
+        if all(map(is_pair, pairs)):
             return [Block(name, rows) for name, rows in pairs]
         if len({np.size(one) for one in cells}) > 1:
             raise ValueError(f"cells must have a row of point ids each, of one size, not rows of several sizes; "
                              f"{OTHERWISE}")
-    rows = to_numpy("cells", cells)
+    rows = to_rows("cells", cells)
+    if rows.size == 0:
+        return []
     return [Block(name_of_rows(rows, of_surfaces), rows)]
 
 
@@ -147,13 +184,43 @@ def set_cells(grid, cells, number_of_points, of_surfaces=False):
 
 def join_blocks(name, values, blocks):
     """Values of cells by blocks, a list as meshio has it or a dictionary by types, one after the other."""
+    shown = f"the array {name!r}"
     if hasattr(values, "items"):
-        missing = [block for block, _ in blocks if block not in values]
-        if missing:
-            raise ValueError(f"the array {name!r} has no values for the cells {missing[0]!r}")
-        values = [values[block] for block, _ in blocks]
-    elif not isinstance(values, (list, tuple)) or len(values) != len(blocks) or \
-            any(np.ndim(part) == 0 or len(part) != size for part, (_, size) in zip(values, blocks)):
+        return join(shown, parts_by_types(shown, values, blocks))
+    if not isinstance(values, (list, tuple)) or len(values) != len(blocks):
         return values
-    return np.ma.concatenate([part if isinstance(part, np.ma.MaskedArray) else to_numpy(f"the array {name!r}", part)
-                              for part in values])
+    sizes, lengths = [size for _, size in blocks], [length(part) for part in values]
+    if None in lengths or (lengths != sizes and len(values) == sum(sizes)):  # a value or a row of values for each cell
+        return values
+    for index, (block, size) in enumerate(blocks):
+        if lengths[index] != size:
+            raise ValueError(f"{shown} has {lengths[index]} values in block {index}, which has {size} cells {block!r}")
+    return join(shown, values)
+
+
+def parts_by_types(shown, values, blocks):
+    """Of values by types of cells those of each block. Blocks of one type share them."""
+    given = {name_of(kind): np.atleast_1d(to_numpy(f"{shown}, cells {kind!r},", part)) for kind, part in values.items()}
+    used = dict.fromkeys(given, 0)
+    parts = []
+    for block, size in blocks:
+        block = name_of(block)
+        if block not in given:
+            if size:
+                raise ValueError(f"{shown} has no values for the cells {block!r}")
+            continue
+        parts.append(given[block][used[block]:used[block] + size])
+        used[block] += size
+    for block, part in given.items():
+        if len(part) != used[block]:
+            raise ValueError(f"{shown} has {len(part)} values for the cells {block!r}, of which there are "
+                             f"{used[block]}")
+    return parts
+
+
+def length(values):
+    """How many values a list or an array has; None for a single value."""
+    try:
+        return None if isinstance(values, (str, bytes)) else len(values)
+    except TypeError:
+        return None

@@ -3,27 +3,26 @@
 
 import os
 import sys
-import warnings
 
 import numpy as np
 from vtkmodules.util import numpy_support
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkDataArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYGON, vtkCompositeDataSet, vtkDataObject, vtkDataSetAttributes, vtkImageData, vtkMultiBlockDataSet,
     vtkPolyData, vtkSelection, vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .cells import NAMES, join_blocks, set_cells
-from .run import Arrays, nearest
-from .values import data_arrays, find_forms, to_array, to_ids, to_integers, to_numpy, to_vtk_array, to_vtk_ids
+from .run import Arrays, check_texts, nearest, warn
+from .values import data_arrays, to_array, to_ids, to_integers, to_numpy, to_vtk_array, to_vtk_ids
 
 # Field data by which a filter goes on with what an earlier one made, if the cells keep their order.
 STAMP = "Subdivision"
 
 
-def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False):
+def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False, forms=None):
     """A data set of VTK as it is; arrays, a pair (points, cells), a mesh of meshio or a list of data sets as a data
-    set. Of surfaces rows of four are quads."""
+    set. Of surfaces rows of four are quads. `forms` takes those of arrays (to_array): "point", "cell" and "field"."""
     if isinstance(mesh, vtkAlgorithm):
         mesh.Update()
         mesh = mesh.GetOutputDataObject(0)
@@ -34,18 +33,18 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False)
     if has_arrays(mesh):
         if cells is not None:
             raise TypeError("the mesh has cells of its own")
-        return from_mesh(mesh, point_data, cell_data, of_surfaces)
-    if cells is None and isinstance(mesh, tuple) and len(mesh) == 2:
-        return from_arrays(*mesh, point_data, cell_data, of_surfaces)
+        return from_mesh(mesh, point_data, cell_data, of_surfaces, forms)
     if is_list_of_data_sets(mesh):
         blocks = vtkMultiBlockDataSet()
         for index, one in enumerate(mesh):
             blocks.SetBlock(index, one)
         return blocks
+    if cells is None and isinstance(mesh, tuple) and len(mesh) == 2:
+        return from_arrays(*mesh, point_data, cell_data, of_surfaces, forms)
     if isinstance(mesh, (str, os.PathLike)):
         raise TypeError(f"{str(mesh)!r} is the name of a file: read it first, by a reader of vtkmodules.vtkIOXML for "
                         "instance, or take the program subdivide")
-    return from_arrays(mesh, cells, point_data, cell_data, of_surfaces)
+    return from_arrays(mesh, cells, point_data, cell_data, of_surfaces, forms)
 
 
 def has_arrays(mesh):
@@ -53,16 +52,16 @@ def has_arrays(mesh):
     return all(hasattr(mesh, name) for name in ("points", "cells", "point_data", "cell_data"))
 
 
-def from_mesh(mesh, point_data, cell_data, of_surfaces):
+def from_mesh(mesh, point_data, cell_data, of_surfaces, forms):
     lost = [name for name in ("point_sets", "cell_sets") if getattr(mesh, name, None)]
     if lost:
-        warnings.warn(f"{' and '.join(lost)} of the mesh are left out: give them as masks in point_data or cell_data",
-                      stacklevel=6)
+        warn(f"{' and '.join(lost)} of the mesh are left out: give them as masks in point_data or cell_data")
     is_ours = isinstance(mesh, Arrays)
     made = from_arrays(mesh.points, mesh.cells, {**mesh.point_data, **(point_data or {})},
-                       {**mesh.cell_data, **(cell_data or {})}, of_surfaces and not is_ours)
-    for name, values in mesh.field_data.items() if is_ours else ():
-        made.GetFieldData().AddArray(to_array(name, values, len(values), "values"))
+                       {**mesh.cell_data, **(cell_data or {})}, of_surfaces and not is_ours, forms)
+    for name, values in (getattr(mesh, "field_data", None) or {}).items():
+        values = np.atleast_1d(to_numpy(f"field_data: the array {name!r}", values))
+        made.GetFieldData().AddArray(to_array(name, values, len(values), "values", (forms or {}).get("field")))
     for attribute, name in mesh.attributes.items() if is_ours else ():
         if name in mesh.point_data:
             set_attribute(made, attribute, name)
@@ -70,7 +69,21 @@ def from_mesh(mesh, point_data, cell_data, of_surfaces):
 
 
 def is_list_of_data_sets(mesh):
-    return isinstance(mesh, list) and bool(mesh) and all(isinstance(one, vtkDataObject) for one in mesh)
+    """Whether it is a list of data sets of VTK. What is none of them in a list of meshes is an error."""
+    if not isinstance(mesh, (list, tuple)) or not mesh:
+        return False
+    others = [index for index, one in enumerate(mesh) if not isinstance(one, vtkDataObject)]
+    is_list = len(others) < len(mesh) or (isinstance(mesh, list) and is_mesh(mesh[0]))
+    if is_list and others:
+        raise TypeError(f"a list of meshes has data sets of VTK only, but [{others[0]}] is of the type "
+                        f"{type(mesh[others[0]]).__name__}")
+    return is_list
+
+
+def is_mesh(one):
+    """Whether it is a mesh that is no data set: a pair of points and cells, Arrays, or one of meshio."""
+    return has_arrays(one) or (isinstance(one, tuple) and len(one) == 2 and
+                               all(isinstance(part, (list, np.ndarray)) or hasattr(part, "items") for part in one))
 
 
 # Arguments that name the array of points which is an attribute of VTK.
@@ -82,9 +95,12 @@ def set_attribute(mesh, attribute, name):
     if not hasattr(mesh, "GetPointData"):
         raise ValueError(f"{attribute} is for a mesh that is no list of blocks")
     data = mesh.GetPointData()
+    check_texts(attribute, [name] if isinstance(name, str) else [])
     if not isinstance(name, str) or not data.HasArray(name):
         names = [data.GetArrayName(i) or "" for i in range(data.GetNumberOfArrays())]
         raise ValueError(f"{attribute} is the name of an array of point_data, not {name!r}{nearest(name, names)}")
+    if not isinstance(data.GetAbstractArray(name), vtkDataArray):
+        raise ValueError(f"the array {name!r} cannot be {attribute}: it has no numbers")
     components = data.GetAbstractArray(name).GetNumberOfComponents()
     if components not in ((1, 2, 3) if attribute == "texture_coordinates" else (3,)):
         raise ValueError(f"the array {name!r} cannot be {attribute}: it has {components} components")
@@ -101,13 +117,6 @@ def with_attributes(mesh, names):
     for attribute, name in names.items():
         set_attribute(made, attribute, name)
     return made
-
-
-def find_forms_of(mesh, point_data, cell_data):
-    """The forms of the arrays of points and of cells that were given."""
-    ours = [getattr(mesh, name) if has_arrays(mesh) and not isinstance(mesh, vtkDataObject) else {}
-            for name in ("point_data", "cell_data")]
-    return [find_forms({**own, **(given or {})}) for own, given in zip(ours, (point_data, cell_data))]
 
 
 def to_image(labels, spacing=None, origin=None):
@@ -137,7 +146,7 @@ def three_numbers(name, values, default):
     return values.tolist()
 
 
-def from_arrays(points, cells, point_data=None, cell_data=None, of_surfaces=False):
+def from_arrays(points, cells, point_data=None, cell_data=None, of_surfaces=False, forms=None):
     points = to_numpy("points", points)
     if points.ndim != 2 or points.shape[1] not in (2, 3) or points.dtype.kind not in "buif":
         raise ValueError(f"points must be numbers in 2 or 3 columns, not the shape {points.shape} of {points.dtype}")
@@ -161,7 +170,7 @@ def from_arrays(points, cells, point_data=None, cell_data=None, of_surfaces=Fals
             raise ValueError(f"{what}_data is a dictionary of arrays by name, not {type(given).__name__}")
         for name, values in (given or {}).items():
             values = join_blocks(name, values, blocks) if what == "cell" else values
-            target.AddArray(to_array(name, values, count, what + "s"))
+            target.AddArray(to_array(name, values, count, what + "s", (forms or {}).get(what)))
     return mesh
 
 
@@ -202,16 +211,32 @@ def add_column(table, name, values):
     table.AddColumn(to_array(name, values, count, "rows"))
 
 
+def to_crease_rows(value):
+    """Rows of a dictionary from pairs to sharpness, or of a pair of rows and sharpness; other rows as they are."""
+    if hasattr(value, "items"):
+        wrong = [pair for pair in value if not isinstance(pair, (tuple, frozenset)) or len(pair) != 2]
+        if wrong:
+            raise ValueError(f"creases is a dictionary from pairs of point ids to sharpness, such as {{(0, 1): 1.5}}: "
+                             f"{wrong[0]!r} is no pair")
+        return [(*pair, sharpness) for pair, sharpness in value.items()]
+    if isinstance(value, tuple) and len(value) == 2 and to_numpy("creases", value[0]).ndim == 2:
+        rows, sharpness = (to_numpy("creases", part) for part in value)
+        if sharpness.shape not in ((), (1,), (len(rows),)):
+            raise ValueError(f"creases has {len(rows)} rows, and sharpness of the shape {sharpness.shape}: give one "
+                             "for all or one for each")
+        return np.column_stack([rows, np.broadcast_to(sharpness, len(rows))])
+    return value
+
+
 def to_creases(value, mesh):
     """Rows of two point ids, and of a sharpness where there is a third column, as lines on the points of the mesh. Also
     a pair of such rows and their sharpness, or a dictionary from pairs to sharpness."""
-    if hasattr(value, "items"):
-        value = [(*pair, sharpness) for pair, sharpness in value.items()]
-    elif isinstance(value, tuple) and len(value) == 2 and np.ndim(value[0]) == 2:
-        value = np.column_stack([value[0], np.broadcast_to(value[1], len(value[0]))])
+    value = to_crease_rows(value)
     if not hasattr(mesh, "GetPoints"):
         raise ValueError("creases are for a mesh with points, which is no list of blocks: give crease_geometry")
     rows = to_numpy("creases", value)
+    if rows.size == 0:
+        raise ValueError("creases has no rows: give None where there are none")
     if rows.ndim != 2 or rows.shape[1] not in (2, 3) or rows.dtype.kind not in "iuf":
         raise ValueError("creases must be rows of two point ids, and of a sharpness as a third number where creases are "
                          f"not to stay sharp for ever, not the shape {rows.shape} of {rows.dtype}")
@@ -219,6 +244,9 @@ def to_creases(value, mesh):
     if (pairs != rows[:, :2]).any():
         raise ValueError("the point ids of creases must be whole numbers")
     to_ids("creases", pairs, mesh.GetNumberOfPoints(), "points")
+    same = pairs[pairs[:, 0] == pairs[:, 1]]
+    if len(same):
+        raise ValueError(f"creases has the row {same[0].tolist()}, from a point to itself: it is no edge")
     if rows.shape[1] == 3 and not (rows[:, 2] >= 0).all():
         raise ValueError("the sharpness of creases must be 0 or more")
     made = vtkUnstructuredGrid()
@@ -232,7 +260,7 @@ def to_creases(value, mesh):
     return made
 
 
-def like(mesh, output, point_forms=None, cell_forms=None):
+def like(mesh, output, forms):
     """The output of a filter in the way in which its input was given, and arrays in the forms of those there."""
     if isinstance(mesh, vtkDataObject):
         if any(base.__module__.split(".")[0] == "pyvista" for base in type(mesh).__mro__):
@@ -242,10 +270,11 @@ def like(mesh, output, point_forms=None, cell_forms=None):
         return output
     if isinstance(output, vtkCompositeDataSet):
         return [output.GetBlock(i) for i in range(output.GetNumberOfBlocks())]
-    return to_arrays(output, point_forms, cell_forms)
+    return to_arrays(output, forms)
 
 
-def to_arrays(mesh, point_forms=None, cell_forms=None):
+def to_arrays(mesh, forms=None):
+    forms = forms or {}
     groups = {}
     first = 0
     for kinds, cells in cell_arrays(mesh):
@@ -266,12 +295,13 @@ def to_arrays(mesh, point_forms=None, cell_forms=None):
         cells = next(iter(cells.values()))
     points = mesh.GetPoints()
     points = numpy_support.vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))
-    fields = data_arrays(mesh.GetFieldData())
+    fields = data_arrays(mesh.GetFieldData(), forms.get("field"))
     if (order != np.arange(len(order))).any():
         fields = {name: values for name, values in fields.items() if not (name or "").startswith(STAMP)}
     active = {attribute: mesh.GetPointData().GetAbstractAttribute(kind) for attribute, kind in ATTRIBUTES.items()}
-    return Arrays(points, cells, data_arrays(mesh.GetPointData(), point_forms),
-                  {name: values[order] for name, values in data_arrays(mesh.GetCellData(), cell_forms).items()},
+    return Arrays(points, cells, data_arrays(mesh.GetPointData(), forms.get("point")),
+                  {name: values[order]
+                   for name, values in data_arrays(mesh.GetCellData(), forms.get("cell")).items()},
                   fields, {attribute: array.GetName() for attribute, array in active.items() if array})
 
 

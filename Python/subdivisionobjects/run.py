@@ -9,11 +9,13 @@ import math
 import numbers
 import operator
 import re
+import sys
 import warnings
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkSubdivisionObjects
 
@@ -38,6 +40,24 @@ class Arrays(tuple):
     def __getnewargs__(self):
         """For copy and pickle: what __new__ takes."""
         return self.points, self.cells, self.point_data, self.cell_data, self.field_data, self.attributes
+
+
+def check_texts(name, texts):
+    """Refuses what VTK cannot take as a text: it would end the process."""
+    try:
+        "".join(texts).encode()
+    except UnicodeEncodeError:
+        wrong = next(text for text in texts if any("\ud800" <= character <= "\udfff" for character in text))
+        raise ValueError(f"{name} has {wrong!a}, which UTF-8 cannot have: where it was bytes, such as the name of a "
+                         "file, decode them by their own encoding, as in .decode('latin-1')") from None
+
+
+def warn(message):
+    """Warns who called the package."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back and frame.f_globals.get("__name__", "").split(".")[0] in (__package__, "contextlib"):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, stacklevel=level)
 
 
 def is_number(value):
@@ -97,6 +117,8 @@ class Option:
             values = [self.entry(name, one) for one in values]
         elif not all(isinstance(one, str) for one in values):
             raise ValueError(f"{name} takes names, such as ['Density'], not {value!r}")
+        else:
+            check_texts(name, values)
         getattr(made, self.clean)()
         for one in values:
             getattr(made, self.command)(one)
@@ -104,6 +126,7 @@ class Option:
     def apply_array(self, made, name, value):
         if not isinstance(value, str):
             raise ValueError(f"{name} is the name of an array, not {value!r}; the array itself belongs to the mesh")
+        check_texts(name, [value])
         data = made.GetInputDataObject(self.port, 0)
         association = self.association
         if not has_array(data, association, value) and has_array(data, 1 - association, value):
@@ -149,18 +172,23 @@ def nearest(name, names):
     return f"; did you mean {known[found[0]]}?" if found else ""
 
 
-def with_nearest(function):
-    """The function, with an error for an argument that does not exist which tells the nearest."""
-    names = list(inspect.signature(function).parameters)
+def checked(aliases):
+    """Makes a function refuse an argument that does not exist, and tell the nearest, or that is given by two names."""
+    def wrap(function):
+        names = list(inspect.signature(function).parameters)
 
-    @functools.wraps(function)
-    def call(*args, **given):
-        for name in given:
-            if name not in names:
-                raise TypeError(f"{function.__name__}() has no argument {name!r}{nearest(name, names)}")
-        return function(*args, **given)
+        @functools.wraps(function)
+        def call(*args, **given):
+            for name in given:
+                if name not in names:
+                    raise TypeError(f"{function.__name__}() has no argument {name!r}{nearest(name, names)}")
+                if name in aliases and aliases[name] in given and given[name] is not None:
+                    raise ValueError(f"{name} and {aliases[name]} are the same: give one of them")
+            return function(*args, **given)
 
-    return call
+        return call
+
+    return wrap
 
 
 def plain(text):
@@ -194,7 +222,9 @@ def choose_criteria(criteria, refine, values):
         values[switch] = True
         if number is not None:
             if not option:
-                raise ValueError(f"the criterion {name!r} takes no number")
+                others = [f"{key}=..." for key in values if name in key and key != switch]
+                raise ValueError(f"the criterion {name!r} takes no number: give None for it"
+                                 f"{' and ' + ', '.join(others) if others else ''}")
             values[option] = number
 
 
@@ -202,7 +232,11 @@ def run(cls, options, aliases, criteria, values, words):
     """Runs a filter of this class with the arguments of a function, and returns its output like its input."""
     from . import meshes
     made = getattr(vtkSubdivisionObjects, cls)()
+    has_mesh = "mesh" in values
     mesh = values.pop("mesh", None)
+    if has_mesh and mesh is None:
+        raise TypeError("mesh is None: give a data set of VTK, points and cells, or a mesh that has them")
+    forms = {"point": {}, "cell": {}, "field": {}}
     data = [values.pop(key, None) for key in ("cells", "point_data", "cell_data")]
     attributes = {key: values.pop(key, None) for key in meshes.ATTRIBUTES}
     creases = values.pop("creases", None)
@@ -214,8 +248,8 @@ def run(cls, options, aliases, criteria, values, words):
         choose_criteria(criteria, refine, values)
     if "spacing" in values:
         made.SetInputDataObject(0, meshes.to_image(mesh, values.pop("spacing"), values.pop("origin")))
-    elif mesh is not None:
-        given = meshes.to_vtk(mesh, *data, of_surfaces="Surface" in cls)
+    elif has_mesh:
+        given = meshes.to_vtk(mesh, *data, of_surfaces="Surface" in cls, forms=forms)
         made.SetInputDataObject(0, meshes.with_attributes(given, attributes))
     # Arrays belong to inputs, which come first.
     for name in sorted(values, key=lambda name: options[name].kind == "array"):
@@ -233,7 +267,7 @@ def run(cls, options, aliases, criteria, values, words):
                                 0 < len(chosen) < len(options["output_dimensions"].entries)))
     if told["WarningEvent"] and not is_part and is_empty(output) and not is_empty(made.GetInputDataObject(0, 0)):
         raise RuntimeError("nothing is left of the input: " + "\n".join(told["WarningEvent"]))
-    return meshes.like(mesh, output, *meshes.find_forms_of(mesh, *data[1:]))
+    return meshes.like(mesh, output, forms)
 
 
 def set_creases(made, options, values, creases):
@@ -249,6 +283,20 @@ def is_empty(data):
     """Whether it has no cells."""
     blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if hasattr(data, "GetNumberOfBlocks") else [data]
     return not any(one and one.GetNumberOfCells() for one in blocks)
+
+
+def of_input_type(made, text):
+    """What the pipeline says of an input that the filter does not take, without the words of pipelines."""
+    found = re.match(r"Input for connection index \d+ on input port index (\d+) for algorithm .+ is of type (\w+)", text)
+    if not found:
+        return text
+    port, key = int(found[1]), vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
+    information = made.GetInputPortInformation(port)
+    types = [information.Get(key, i) for i in range(information.Length(key))]
+    cure = ""
+    if "vtkUnstructuredGrid" in types and made.GetInputDataObject(port, 0).IsA("vtkDataSet"):
+        cure = "; vtkmodules.vtkFiltersCore.vtkAppendFilter makes a vtkUnstructuredGrid of other data sets"
+    return f"input port {port} is a {found[2]}, but can only be {', '.join(types)}{cure}"
 
 
 def replace(words, text):
@@ -273,7 +321,7 @@ def listen_to(made, words=None):
     def listen(_, event, message):
         if "returned failure for request" not in message:  # the pipeline says once more that something failed
             text = re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip()
-            told[event].append(replace(words, text))
+            told[event].append(replace(words, of_input_type(made, text)))
 
     observers = [(source, source.AddObserver(event, listen)) for source in (made, made.GetExecutive()) for event in told]
     try:
@@ -282,6 +330,6 @@ def listen_to(made, words=None):
         for source, observer in observers:
             source.RemoveObserver(observer)
     for message in told["WarningEvent"]:
-        warnings.warn(message, stacklevel=5 + (words is not None))
+        warn(message)
     if told["ErrorEvent"]:
         raise RuntimeError("\n".join(told["ErrorEvent"]))
