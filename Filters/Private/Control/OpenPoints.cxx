@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <sstream>
 #include <tuple>
@@ -163,9 +164,13 @@ public:
   bool FindPlaces(bool mergesEqual)
   {
     Box box;
-    for (const vtkIdType point : this->FindOpen())
+    for (const vtkIdType point : InTurn(this->Places.size()))
     {
-      box.Add(this->Points + 3 * point);
+      if (this->Places[point] >= 0)
+      {
+        this->Open.push_back(point);
+        box.Add(this->Points + 3 * point);
+      }
     }
     const Buffer<vtkIdType> firsts =
       FindFirstOfNear(this->Points, this->Open, NearPart * GetDiagonal(box), PointOrder{});
@@ -227,18 +232,6 @@ public:
              << ", or apply vtkStaticCleanUnstructuredGrid (surfaces: vtkCleanPolyData) first."
       : text << cure;
     return text.str();
-  }
-  /// Lists the points that were added.
-  const std::vector<vtkIdType>& FindOpen()
-  {
-    for (const vtkIdType point : InTurn(this->Places.size()))
-    {
-      if (this->Places[point] >= 0)
-      {
-        this->Open.push_back(point);
-      }
-    }
-    return this->Open;
   }
   const std::vector<vtkIdType>& GetOpen() const { return this->Open; }
 
@@ -309,7 +302,7 @@ public:
       [this](Id vertex) { return this->Numbers[vertex]; });
     this->Hosts.push_back(host);
   }
-  /// `isOfCell(owner, vertex)`; `isSingle`: ends of lines hang, and need no edges along the host.
+  /// `isOfCell(owner, vertex)`; `isSingle`: what hangs needs no edges along the host.
   template <typename IsOfCell>
   void Find(bool isSingle, const IsOfCell& isOfCell)
   {
@@ -335,8 +328,7 @@ public:
             const auto point = static_cast<int>(i);
             const Row<int> around = hostsAt[point];
             if (!host.Has(point) && part.Find(this->GetPoint(point)) == FlatPart::Inside &&
-              !isOfCell(host.Of, this->Open[i]) &&
-              (isSingle ? around.size() == 1 : hasAlong(point, around)))
+              !isOfCell(host.Of, this->Open[i]) && (isSingle || hasAlong(point, around)))
             {
               this->Hangs[i].store(1, std::memory_order_relaxed);
               this->Held[h] = this->Held[h] < 0 ? point : std::min(this->Held[h], point);
@@ -409,23 +401,92 @@ private:
   Buffer<int> Held; ///< the first point that hangs on each host
 };
 
-/// Calls use(vertices, size, owner) for what points may hang on.
-template <typename Id, typename Use>
-void ForHosts(const SimplicialComplex<Id>& complex, const Use& use)
+/// The edges of a mesh of lines in whose boxes the end of another line is: mostly none. Boxes of
+/// many edges tell that first.
+template <typename Mesh>
+std::vector<vtkIdType> FindEdgesNear(
+  const std::vector<vtkIdType>& ends, const Mesh& mesh, const double* coordinates)
 {
-  if (complex.HasEdgesAlone())
+  std::vector<double> x;
+  for (const vtkIdType end : ends)
   {
-    ForEachInTurn(complex.NumberOfEdges,
-      [&](vtkIdType edge) { use(complex.EdgeVertices.data() + 2 * edge, 2, Owner{ 1, edge }); });
-    return;
+    x.insert(x.end(), coordinates + 3 * end, coordinates + 3 * end + 3);
   }
-  ForOpenParts(complex, use);
+  Buffer<int> ids(static_cast<vtkIdType>(ends.size()));
+  std::iota(ids.begin(), ids.end(), 0);
+  const SimplexTree tree(x.data(), 1, ids);
+  const auto* corners = mesh.EdgeVertices.data();
+  const auto hasEnd = [&](vtkIdType first, vtkIdType last)
+  {
+    Box box;
+    std::for_each(corners + 2 * first, corners + 2 * last,
+      [&](vtkIdType corner) { box.Add(coordinates + 3 * corner); });
+    const double most = FlatPart::Tolerance * GetDiagonal(box);
+    std::transform(box.Low, box.Low + 3, box.Low, [=](double low) { return low - most; });
+    std::transform(box.High, box.High + 3, box.High, [=](double high) { return high + most; });
+    bool has = false;
+    tree.ForEachWhere([&](const Box& other) { return !has && box.Meets(other); },
+      [&](vtkIdType i)
+      {
+        const bool isOwn =
+          last == first + 1 && (ends[i] == corners[2 * first] || ends[i] == corners[2 * first + 1]);
+        has = has || (!isOwn && box.Holds(x.data() + 3 * i));
+      });
+    return has;
+  };
+  Buffer<unsigned char> isNear(mesh.EdgeVertices.size() / 2, 0);
+  ForRanges(isNear.size(),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      constexpr vtkIdType together = 32;
+      for (vtkIdType first = begin; first < end; first += together)
+      {
+        const vtkIdType last = std::min(first + together, end);
+        for (vtkIdType edge = hasEnd(first, last) ? first : last; edge < last; ++edge)
+        {
+          isNear[edge] = hasEnd(edge, edge + 1);
+        }
+      }
+    });
+  std::vector<vtkIdType> edges;
+  for (const vtkIdType edge : InTurn(isNear.size()))
+  {
+    if (isNear[edge])
+    {
+      edges.push_back(edge);
+    }
+  }
+  return edges;
 }
 
-template <typename Id, typename Use>
-void ForHosts(const PolygonMesh<Id>& mesh, const Use& use)
+/// Tells which open points of a mesh of lines are ends of them that hang on others.
+template <typename Mesh>
+std::string DescribeHangingEnds(const Mesh& mesh, std::vector<vtkIdType> points,
+  const Coordinates& coordinates, const OpenPointOptions& options)
 {
-  ForOpenParts(mesh, use);
+  const auto uses = CountUses(mesh.EdgeVertices, mesh.NumberOfVertices);
+  const auto isNoEnd = [&uses](vtkIdType point) { return uses[point] != 1; };
+  points.erase(std::remove_if(points.begin(), points.end(), isNoEnd), points.end());
+  const std::vector<vtkIdType> edges = FindEdgesNear(points, mesh, coordinates);
+  if (edges.empty())
+  {
+    return {};
+  }
+  for (const vtkIdType edge : edges)
+  {
+    points.push_back(mesh.EdgeVertices[2 * edge]);
+    points.push_back(mesh.EdgeVertices[2 * edge + 1]);
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  Hanging hanging(points, coordinates, mesh.NumberOfVertices);
+  for (const vtkIdType edge : edges)
+  {
+    hanging.AddHost(mesh.EdgeVertices.data() + 2 * edge, 2, Owner{ 1, edge });
+  }
+  hanging.Find(true, [&](const Owner& owner, vtkIdType vertex)
+    { return isNoEnd(vertex) || HasVertex(mesh, owner, vertex); });
+  return hanging.Describe(options);
 }
 
 template <typename Mesh>
@@ -442,21 +503,18 @@ std::vector<std::string> Describe(const Mesh& mesh, bool hasSolids, bool hasLine
       { border.AddPart(vertices, size, hasSolids && size == 2); });
   }
   warnings.push_back(border.Describe(options.Cure));
-  std::vector<vtkIdType> points = border.GetOpen();
-  if (hasLinesAlone) // points hang on any of their edges
+  const std::vector<vtkIdType>& points = border.GetOpen();
+  const bool finds = !options.ClosesNodes && !points.empty() && points.size() < VTK_INT_MAX;
+  if (finds && hasLinesAlone)
   {
-    Border all(mesh.NumberOfVertices, coordinates);
-    ForHosts(
-      mesh, [&](const auto* vertices, int size, const Owner&) { all.AddPoints(vertices, size); });
-    all.FindOpen();
-    points = all.GetOpen();
+    warnings.push_back(DescribeHangingEnds(mesh, points, coordinates, options));
   }
-  if (!options.ClosesNodes && !points.empty() && points.size() < VTK_INT_MAX)
+  else if (finds)
   {
     Hanging hanging(points, coordinates, mesh.NumberOfVertices);
-    ForHosts(mesh, [&](const auto* vertices, int size, const Owner& owner)
+    ForOpenParts(mesh, [&](const auto* vertices, int size, const Owner& owner)
       { hanging.AddHost(vertices, size, owner); });
-    hanging.Find(hasLinesAlone,
+    hanging.Find(false,
       [&mesh](const Owner& owner, vtkIdType vertex) { return HasVertex(mesh, owner, vertex); });
     warnings.push_back(hanging.Describe(options));
   }

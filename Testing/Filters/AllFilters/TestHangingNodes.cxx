@@ -266,6 +266,44 @@ TEST(HangingNodes, EndsOfLinesInsideOthers)
     (std::set<std::pair<vtkIdType, vtkIdType>>{ { 0, 3 }, { 1, 3 }, { 1, 2 }, { 3, 4 } }));
 }
 
+/// A line of many edges that is winding, on one of which a second line ends, if at all, and another
+/// one that comes back to itself.
+TEST(HangingNodes, EndsOnLongLines)
+{
+  constexpr vtkIdType edges = 200;
+  const auto tell = [](vtkIdType edge, bool comesBack)
+  {
+    std::vector<Point> points;
+    std::vector<Cell> cells = { { VTK_POLY_LINE, {} },
+      { VTK_POLY_LINE, { edges + 1, edges + 2 } } };
+    for (vtkIdType i = 0; i <= edges; ++i)
+    {
+      const double t = 0.1 * static_cast<double>(i);
+      points.push_back({ t, std::sin(t), std::cos(0.7 * t) });
+      cells[0].Points.push_back(i);
+    }
+    const auto middle = [&points](vtkIdType i)
+    {
+      return Point{ 0.5 * (points[i][0] + points[i + 1][0]),
+        0.5 * (points[i][1] + points[i + 1][1]), 0.5 * (points[i][2] + points[i + 1][2]) };
+    };
+    points.push_back(edge < 0 ? Point{ 3, 3, 3 } : middle(edge));
+    points.push_back({ 5, 5, 5 });
+    if (comesBack)
+    {
+      points.push_back(middle(100));
+      cells[0].Points.push_back(edges + 3);
+    }
+    return Tell(MakeGrid(points, cells));
+  };
+  EXPECT_TRUE(tell(-1, false).empty());
+  for (const vtkIdType edge : { 0, 31, 32, 150, 199 })
+  {
+    EXPECT_TRUE(Has(tell(edge, false), "1 point hangs")) << edge;
+    EXPECT_TRUE(Has(tell(edge, true), "2 points hang")) << edge;
+  }
+}
+
 TEST(CloseHangingNodes, Quadtrees)
 {
   for (int depth = 1; depth < 5; ++depth)

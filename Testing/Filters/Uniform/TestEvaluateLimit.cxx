@@ -316,6 +316,20 @@ TEST(EvaluateLimit, VerticesOfDeepLevelsOfSolids)
   }
 }
 
+/// Beside an edge of three solids the limit is not that of four, though all around a place is.
+TEST(EvaluateLimit, VerticesBesideEdgesOfSolids)
+{
+  const Grid star = MakeStar(3, true);
+  const Grid input = Grid::New();
+  input->SetPoints(star->GetPoints());
+  for (vtkIdType cell = 2; cell < star->GetNumberOfCells(); ++cell) // the others are lines
+  {
+    input->InsertNextCell(VTK_TETRA, 4, GetCell(star, cell).data());
+  }
+  vtkNew<Filter> filter;
+  CheckAgainstLevels(input, filter, 5, -1, 0);
+}
+
 /// Places that rounding puts beside vertices, edges and faces are as near to these as before. Those
 /// beside what is not regular are looked at by many splits, each of which doubles the distance.
 TEST(EvaluateLimit, PlacesBesideFacesByRounding)

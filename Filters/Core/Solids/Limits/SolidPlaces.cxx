@@ -22,7 +22,7 @@ class SolidPlaceFinder
 public:
   SolidPlaceFinder(const Level<Id>& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
-    , Lattice(level, sharp)
+    , Lattice(level, sharp, true)
     , Regular(level, this->Lattice)
   {
   }
@@ -96,12 +96,32 @@ private:
     return weights;
   }
 
+  /// Whether all is regular that the limit over the part depends on: what its corners lie in, and
+  /// what two of these share where a step goes from one end of a marked edge to the other. The
+  /// vertex in the middle of that step has a neighbour there, which is as near to it as they are.
+  bool IsRegular() const
+  {
+    constexpr std::array<int, 2> marked{ { 1 | 4, 2 | 8 } }; // corners of tetrahedra
+    const auto& carriers = this->Part.Carriers;
+    const auto isRegular = [&](int a)
+    {
+      return this->Parts[a] &&
+        std::all_of(carriers.begin(), carriers.end(),
+          [&](int b)
+          {
+            const auto isStep = [&](int edge)
+            { return (a & edge) != 0 && (b & edge) != 0 && (a & b & edge) == 0; };
+            return (a & b) == 0 || this->Parts[a & b] ||
+              !std::any_of(marked.begin(), marked.end(), isStep);
+          });
+    };
+    return std::all_of(carriers.begin(), carriers.end(), isRegular);
+  }
+
   /// Takes the polynomial over the part, if there is one.
   bool ReadPolynomial()
   {
-    const auto& carriers = this->Part.Carriers;
-    if (!std::all_of(
-          carriers.begin(), carriers.end(), [this](int corners) { return this->Parts[corners]; }))
+    if (!this->IsRegular())
     {
       return false;
     }

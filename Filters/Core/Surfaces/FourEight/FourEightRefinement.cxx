@@ -177,7 +177,8 @@ private:
       return;
     }
     const Id first = this->Mesh.GetFirst(face);
-    for (Id corner = first; corner < first + this->Mesh.GetSize(face); ++corner)
+    const Id end = first + this->Mesh.GetSize(face);
+    for (Id corner = first; corner < end; ++corner)
     {
       visit(corner);
     }
@@ -186,12 +187,15 @@ private:
   /// Sets the half-edges of the next level that lie inside a face, or on its fixed edges.
   void SetInside(Id face, PolygonMesh<Id>& out) const
   {
+    Id before = -1; // the side at the end of the edge before, unless it is not known yet
     this->VisitSpokes(face,
       [&](Id corner)
       {
-        const Id vertex = this->Mesh.Vertices[corner];
-        const Id a = this->Children.GetSide(corner, vertex);
-        const Id b = this->Children.GetSide(this->Mesh.Previous(corner), vertex);
+        const auto sides = this->Children.GetSides(corner);
+        const Id a = sides.AtBegin;
+        const Id b =
+          before < 0 ? this->Children.GetSides(this->Mesh.Previous(corner)).AtEnd : before;
+        before = sides.AtEnd;
         out.Twins[a] = b;
         out.Twins[b] = a;
         if (!out.Edges.empty())
@@ -203,7 +207,8 @@ private:
         }
       });
     const Id first = this->Mesh.GetFirst(face);
-    for (Id corner = first; corner < first + this->Mesh.GetSize(face); ++corner)
+    const Id size = this->Children.HasFixed() ? this->Mesh.GetSize(face) : 0;
+    for (Id corner = first; corner < first + size; ++corner)
     {
       for (int end = 0; end < 2 && this->Children.IsFixed(corner); ++end)
       {
@@ -258,7 +263,7 @@ private:
           const Id first = this->Mesh.GetFirst(face);
           const Id apex = this->Children.GetApex(face);
           out.VertexCorners[apex] =
-            this->GetCornerAt(this->Children.GetSide(first, this->Mesh.Vertices[first]), apex, out);
+            this->GetCornerAt(this->Children.GetSides(first).AtBegin, apex, out);
         }
       });
     const bool hasMiddles = this->Children.IsEven && this->Children.HasFixed();

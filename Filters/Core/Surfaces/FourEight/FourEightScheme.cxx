@@ -182,9 +182,10 @@ void FourEightScheme<Id>::AppendVertices(const FourEightTopology<Id>& topology,
         return false;
       }
       columns[0] = vertex;
-      for (std::size_t k = 0; k < 4; ++k)
+      const FanStep<Id>* step = steps.data();
+      for (int k = 1; k < 5; ++k)
       {
-        columns[1 + k] = GetNeighbour(mesh, steps[k]);
+        columns[k] = GetNeighbour(mesh, *step++);
       }
       return true;
     },

@@ -115,8 +115,9 @@ public:
   /// The *apex* of a face: its centre or, in a cut face, the middle of its fixed edge.
   Id GetApex(Id face) const
   {
-    return this->IsCut(face) ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
-                             : this->GetFirstCentre() + this->CountCentresBefore(face);
+    return !this->HasFixed() ? this->GetFirstCentre() + face
+      : this->IsCut(face)    ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
+                             : this->GetFirstCentre() + this->CentresBefore[face];
   }
 
   /// A fixed edge, or its half at one end, on the next level.
@@ -137,17 +138,30 @@ public:
       (this->IsCut(face) ? 0 : corner - first);
   }
 
-  /// The half-edge of the next level between the apex of a corner's face and one end of the
+  /// The half-edges of the next level between the apex of a corner's face and both ends of the
   /// corner's edge, in the child across that edge. Not for fixed edges in even steps.
+  struct Sides
+  {
+    Id AtBegin;
+    Id AtEnd;
+  };
+  Sides GetSides(Id corner) const
+  {
+    const Id twin = this->Mesh.Twins[corner];
+    const bool isFixed = this->IsFixed(corner);
+    if (isFixed || corner < twin)
+    {
+      const Id last = this->GetStart(corner) + (isFixed ? 2 : 3);
+      return { last, last - 1 };
+    }
+    const Id start = this->GetStart(twin);
+    const bool isFirst = this->Mesh.Vertices[twin] == this->Mesh.Vertices[corner];
+    return { isFirst ? start : start + 1, isFirst ? start + 1 : start };
+  }
   Id GetSide(Id corner, Id vertex) const
   {
-    if (this->IsFixed(corner))
-    {
-      return this->GetStart(corner) + (this->Mesh.Vertices[corner] == vertex ? 2 : 1);
-    }
-    const Id owner = std::min(corner, this->Mesh.Twins[corner]);
-    const bool isFirst = this->Mesh.Vertices[owner] == vertex;
-    return this->GetStart(owner) + (corner == owner ? (isFirst ? 3 : 2) : (isFirst ? 0 : 1));
+    const Sides sides = this->GetSides(corner);
+    return this->Mesh.Vertices[corner] == vertex ? sides.AtBegin : sides.AtEnd;
   }
   /// In even steps: half of a fixed edge, in the face of one of its corners.
   Id GetHalf(Id cut, Id vertex) const
@@ -158,9 +172,9 @@ public:
   /// A half-edge of the next level at the vertex of a corner, in the same fan.
   Id GetHalfEdgeAt(Id corner) const
   {
-    const Id vertex = this->Mesh.Vertices[corner];
-    return this->IsEven && this->IsFixed(corner) ? this->GetHalf(corner, vertex)
-                                                 : this->GetSide(corner, vertex);
+    return this->IsEven && this->IsFixed(corner)
+      ? this->GetHalf(corner, this->Mesh.Vertices[corner])
+      : this->GetSides(corner).AtBegin;
   }
 
   /// The face of a centre and the fixed edge of a middle, by their running numbers.

@@ -9,7 +9,6 @@
 
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
-#include <array>
 #include <vector>
 
 namespace subdivision
@@ -38,7 +37,7 @@ public:
   void Walk(const PolygonMesh<Id>& mesh, Id first, Id end, const Wanted& wanted)
   {
     this->First = first;
-    std::array<int, Most> walking{};
+    int walking[Most];
     int count = 0;
     for (Id vertex = first; vertex < end; ++vertex)
     {
@@ -56,8 +55,8 @@ public:
       for (int i = 0; i < count; ++i)
       {
         const int walk = walking[i];
-        const FanStep<Id>& last = this->Cycles[walk].back();
-        FanStep<Id> step{ last.Corner, last.Forward };
+        const FanStep<Id>* last = this->Cycles[walk].data() + this->Cycles[walk].size() - 1;
+        FanStep<Id> step{ last->Corner, last->Forward };
         const bool goesOn = step.Advance(mesh);
         this->AreCycles[walk] = goesOn;
         if (goesOn && step.Corner != mesh.VertexCorners[first + walk])
@@ -84,8 +83,8 @@ private:
     next.Forward = step.Forward;
   }
 
-  std::array<Steps, Most> Cycles;
-  std::array<bool, Most> AreCycles{};
+  Steps Cycles[Most];
+  bool AreCycles[Most] = {};
   Id First = 0;
 };
 
