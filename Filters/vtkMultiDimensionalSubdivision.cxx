@@ -71,6 +71,8 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
   options.Tolerance = this->BezierTolerance;
   options.Use32BitIds = this->Use32BitIds;
   options.Controller = this->SharesRanks() ? this->Controller.Get() : nullptr;
+  options.IsWhole = part == made && !options.Controller;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
   return this->Bezier->Finish(part, options);
 }
@@ -184,29 +186,23 @@ int vtkMultiDimensionalSubdivision::RequestData(
   const bool readsLimit = options.ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays || addsBounds;
   const bool isLocal = this->VolumeScheme == LINEAR || (this->NumberOfLevels <= 1 && !readsLimit);
-  const auto run = [&](double begin, double end)
-  {
-    options.Part = { begin, end };
-    return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
-      "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-        ". Use fewer levels, or a part of the input.",
-      [&](vtkPointSet* input, vtkPointSet* output)
-      {
-        if (writesBezierCells)
+  return this->Bezier->Run(writesBezierCells ? this->NumberOfLevels : -1, options,
+    [&]
+    {
+      return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
+        "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+          ". Use fewer levels, or a part of the input.",
+        [&](vtkPointSet* input, vtkPointSet* output)
         {
-          options.Levels = this->Bezier->GetSteps();
-        }
-        auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
-        return subdivision::SubdivideUniformly(input, options, grid) &&
-          (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
-      });
-  };
-  const int result = writesBezierCells ? this->Bezier->Run(this->NumberOfLevels, run) : run(0., 1.);
-  if (!this->Places)
-  {
-    this->Cache->ForgetUnused();
-  }
-  return result;
+          if (writesBezierCells)
+          {
+            this->Bezier->SetLevels(options);
+          }
+          auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
+          return subdivision::SubdivideUniformly(input, options, grid) &&
+            (!addsBounds || subdivision::AddUniformBounds(input, options, grid));
+        });
+    });
 }
 
 void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -305,9 +305,12 @@ public:
    * values of a point nearby; values that are not finite split no cell. Points that no cell uses
    * are left out.
    *
-   * The limit is read off a mesh of 2 more levels, of 3 if there are solids, than those by which
-   * some cell has to be split, which counts for MaximumNumberOfCells and memory: levels of
-   * NumberOfLevels that split no cell cost nothing. There are no global ids and no ghost cells of
+   * The limit is read off a mesh of 3 more levels, of 4 if there are solids. Further levels of
+   * NumberOfLevels cost what they split: they are made for these cells alone. But with blocks, on
+   * several ranks, with GenerateLimitNormals, GenerateTangents, GenerateClassification,
+   * OutputDimensions, values that jump, rules that angles decide or cells with equal points all of
+   * the mesh is made by each level that some cell needs. MaximumNumberOfCells counts Bezier cells,
+   * on each rank its own. There are no global ids and no ghost cells of
    * the pipeline, and the next filter reads the corners of the cells like any other mesh. Without
    * effect on ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes a warning says that
    * cells stay linear.

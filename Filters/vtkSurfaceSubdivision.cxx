@@ -114,6 +114,8 @@ vtkSmartPointer<vtkDataObject> vtkSurfaceSubdivision::Finish(vtkDataObject* made
   options.Tolerance = this->BezierTolerance;
   options.Use32BitIds = this->Use32BitIds;
   options.Controller = this->SharesRanks() ? this->Controller.Get() : nullptr;
+  options.IsWhole = !options.Controller;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells;
   options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
   return this->Bezier->Finish(made, options);
 }
@@ -158,34 +160,30 @@ int vtkSurfaceSubdivision::RequestData(
   // Without rules for boundaries that angles decide, a level reads points of cells around only.
   const bool isLocal =
     !this->ModifiedBoundary && (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK);
-  const auto run = [&](double begin, double end)
-  {
-    options.Part = { begin, end };
-    return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
-      "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
-        ". Use fewer levels, or a part of the input.",
-      [&](vtkPointSet* input, vtkPointSet* output)
-      {
-        options.Levels = this->Places ? 0
-          : writesBezierCells         ? this->Bezier->GetSteps()
-                                      : this->NumberOfLevels;
-        if (this->Places && this->OutputPointsPrecision == DEFAULT_PRECISION)
+  return this->Bezier->Run(writesBezierCells ? this->NumberOfLevels : -1, options,
+    [&]
+    {
+      return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
+        "NumberOfLevels = " + std::to_string(this->NumberOfLevels) +
+          ". Use fewer levels, or a part of the input.",
+        [&](vtkPointSet* input, vtkPointSet* output)
         {
-          options.OutputPointsPrecision = DOUBLE_PRECISION;
-        }
-        auto* from = vtkPolyData::SafeDownCast(input);
-        auto* to = vtkPolyData::SafeDownCast(output);
-        return this->ReadArrays(input, options) &&
-          subdivision::SubdivideSurface(from, options, to) &&
-          (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
-      });
-  };
-  const int result = writesBezierCells ? this->Bezier->Run(this->NumberOfLevels, run) : run(0., 1.);
-  if (!this->Places)
-  {
-    this->Cache->ForgetUnused();
-  }
-  return result;
+          options.Levels = this->Places ? 0 : this->NumberOfLevels;
+          if (writesBezierCells)
+          {
+            this->Bezier->SetLevels(options);
+          }
+          if (this->Places && this->OutputPointsPrecision == DEFAULT_PRECISION)
+          {
+            options.OutputPointsPrecision = DOUBLE_PRECISION;
+          }
+          auto* from = vtkPolyData::SafeDownCast(input);
+          auto* to = vtkPolyData::SafeDownCast(output);
+          return this->ReadArrays(input, options) &&
+            subdivision::SubdivideSurface(from, options, to) &&
+            (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
+        });
+    });
 }
 
 void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)

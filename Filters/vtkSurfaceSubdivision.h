@@ -304,9 +304,11 @@ public:
    * limit itself; then the output is a vtkUnstructuredGrid (GetUnstructuredGridOutput) of
    * VTK_BEZIER_CURVE of degree 3 and, for LOOP and LINEAR, VTK_BEZIER_TRIANGLE of degree 4, for
    * CATMULL_CLARK VTK_BEZIER_QUADRILATERAL of degree 3. See vtkMultiDimensionalSubdivision. A face
-   * that is no quad is split by CATMULL_CLARK in any case. The limit is read off a mesh of 2 more
-   * levels, of 3 if CATMULL_CLARK has faces that are no quads, than those by which some cell has to
-   * be split. With other schemes a warning says that cells stay linear, in a vtkPolyData.
+   * that is no quad is split by CATMULL_CLARK in any case. The limit is read off a mesh of 3 more
+   * levels, of 4 if CATMULL_CLARK has faces that are no quads; further levels are made for the
+   * cells alone that they split, unless there are blocks, ranks, seams that are joined, normals,
+   * tangents or values that jump. With other schemes a warning says that cells stay linear, in a
+   * vtkPolyData.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);

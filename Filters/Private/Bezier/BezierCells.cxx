@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bezier/BezierCells.h"
 
-#include "Core/Memory/Buffer.h"
+#include "Core/Memory/CellSplits.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Bezier/BezierRoots.h"
+#include "Private/Bezier/BezierPatches.h"
 #include "Private/Bezier/ValueRanges.h"
 #include "Private/Reading/ReadableMesh.h"
 
@@ -18,62 +18,43 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
+#include <sstream>
+#include <vector>
 
 namespace subdivision
 {
 namespace
 {
 
-/// A part of a root that becomes one cell.
-struct Patch
-{
-  vtkIdType Root;
-  int Level;
-  LatticePart Part;
-};
+/// Rounds of one mesh, of which each has the cells that the one before did not know to fit.
+using Rounds = std::vector<std::unique_ptr<BezierPatches>>;
 
-/// What of the tolerance the checked points may use up: the largest error lies between them.
-constexpr double ShareOfChecks = 2. / 3.;
+/// A point of the mesh of a round.
+struct RoundPoint
+{
+  std::size_t Round;
+  vtkIdType Id;
+};
 
 class BezierWriter
 {
 public:
-  BezierWriter(vtkPointSet* mesh, const ValueRanges& ranges, const BezierOptions& options)
-    : Mesh(mesh)
-    , Ranges(ranges)
+  BezierWriter(const Rounds& rounds, const BezierOptions& options)
+    : Made(rounds)
     , Options(options)
-    , Cells(mesh, options.Steps, options.Levels)
+    , Next(rounds.size(), 0)
+    , Before(rounds.size())
+    , Components(rounds[0]->GetNumberOfComponents())
   {
-    this->CheckSteps();
-    this->ReadValues();
-  }
-  /// The largest degree that a root needs.
-  int FindDegree() const
-  {
-    int degree = 0;
-    for (const vtkIdType r : InTurn(this->Cells.GetNumberOfRoots()))
+    while (this->Next[0] < rounds[0]->Get().size())
     {
-      const Root& root = this->Cells.GetRoot(r);
-      degree = std::max(degree, root.Kind < 0 ? 0 : BezierRoots::GetShape(root).Degree);
+      this->Collect(0);
     }
-    return degree;
-  }
-  /// All patches get one degree.
-  void ChoosePatches(int degree);
-  /// Whether no cell was split as often as is allowed: then all of them are known to fit.
-  bool IsDone() const
-  {
-    return std::none_of(this->Patches.begin(), this->Patches.end(),
-      [this](const Patch& patch)
-      {
-        const Root& root = this->Cells.GetRoot(patch.Root);
-        return root.Kind >= 0 && patch.Level == root.Levels;
-      });
   }
   vtkSmartPointer<vtkUnstructuredGrid> Write()
   {
@@ -84,194 +65,84 @@ public:
   }
 
 private:
-  void CheckSteps() const;
-  void ReadValues();
-  void Split(const Patch& patch, std::vector<Patch>& patches) const;
-  bool Fits(const Patch& patch) const;
+  /// A patch and its round.
+  struct Chosen
+  {
+    std::size_t Round;
+    const Patch* Which;
+  };
+  const BezierPatches& GetRound(const Chosen& chosen) const { return *this->Made[chosen.Round]; }
+  const Root& GetRoot(const Chosen& chosen) const
+  {
+    return this->GetRound(chosen).GetCells().GetRoot(chosen.Which->Root);
+  }
+  void Collect(std::size_t round);
+  void JoinCorners(std::size_t round, const Patch& patch);
+  RoundPoint FindFirst(RoundPoint point) const;
   void NumberPoints();
   void WriteCells();
   void WriteValues();
   void FitValues(vtkIdType p, std::vector<double>& values) const;
 
-  const PatchShape& GetShape(const Root& root) const
-  {
-    return PatchShape::Get(static_cast<PatchShape::Kind>(root.Kind), this->Degree);
-  }
-  /// The points of the mesh that are the nodes of a patch, or the points of a cell that is written
-  /// as it is.
-  void GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const;
-
-  vtkPointSet* Mesh;
-  const ValueRanges& Ranges;
+  const Rounds& Made;
   const BezierOptions& Options;
-  const BezierRoots Cells;
-  std::vector<vtkDataArray*> Arrays; ///< what is fitted, points first
-  int Degree = 0;
-  int Components = 0;
-  Buffer<double> Values;       ///< of each point, one array after the other
-  std::vector<double> Allowed; ///< what each component may leave out
-  std::vector<Patch> Patches;
-  std::vector<vtkIdType> Offsets; ///< where each patch begins in Ids
-  std::vector<vtkIdType> Ids;     ///< of the control points of each patch
-  std::vector<vtkIdType> Sources; ///< the point of the mesh that each control point belongs to
-  std::vector<vtkIdType> Owners;  ///< the first patch of each control point
+  std::vector<std::size_t> Next; ///< of each round, the patch that is collected next
+  /// Of the points of each round which ones they are in the round before; -1: not known.
+  std::vector<std::vector<vtkIdType>> Before;
+  const int Components;
+  std::vector<Chosen> Patches;
+  std::vector<vtkIdType> Offsets;  ///< where each patch begins in Ids
+  std::vector<vtkIdType> Ids;      ///< of the control points of each patch
+  std::vector<RoundPoint> Sources; ///< the point of a mesh that each control point belongs to
+  std::vector<vtkIdType> Owners;   ///< the first patch of each control point
   vtkSmartPointer<vtkUnstructuredGrid> Output = vtkSmartPointer<vtkUnstructuredGrid>::New();
 };
 
-/// CountFurtherSteps sees what CellsToSimplices and MakeSurface read, so that this does not happen.
-void BezierWriter::CheckSteps() const
+/// Collects the patches of the next root of a round. A patch that is not known to fit is the next
+/// root of the next round.
+void BezierWriter::Collect(std::size_t round)
 {
-  const vtkIdType cell = this->Cells.GetFirstWithoutPoints();
-  if (cell >= 0)
+  const std::vector<Patch>& patches = this->Made[round]->Get();
+  std::size_t& next = this->Next[round];
+  const vtkIdType root = patches[next].Root;
+  for (; next < patches.size() && patches[next].Root == root; ++next)
   {
-    this->Options.Fail("Cell " + std::to_string(cell) + " after " +
-      std::to_string(this->Options.Steps) + " steps, of type " +
-      std::to_string(this->Mesh->GetCellType(cell)) +
-      ", was split too seldom for a Bezier cell: it and others of its kind stay linear. This is a "
-      "fault of the filter, not of the input: report it, and set OutputCells to Linear.");
-  }
-}
-
-/// Points and arrays of floating point numbers, in double, side by side.
-void BezierWriter::ReadValues()
-{
-  const vtkIdType size = this->Mesh->GetNumberOfPoints();
-  this->Arrays.assign({ this->Mesh->GetPoints()->GetData() });
-  vtkPointData* data = this->Mesh->GetPointData();
-  for (int a = 0; a < data->GetNumberOfArrays(); ++a)
-  {
-    vtkDataArray* array = data->GetArray(a);
-    if (array && array->GetName() &&
-      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+    if (round + 1 < this->Made.size() && !this->Made[round]->IsKnown(patches[next]))
     {
-      this->Arrays.push_back(array);
-    }
-  }
-  for (vtkDataArray* array : this->Arrays)
-  {
-    this->Components += array->GetNumberOfComponents();
-    this->Allowed.resize(this->Components,
-      this->Ranges.GetTolerance(array == this->Arrays[0] ? nullptr : array->GetName(),
-        ShareOfChecks * this->Options.Tolerance, array->GetDataType() == VTK_FLOAT));
-  }
-  this->Values = Buffer<double>(this->Components * size);
-  int component = 0;
-  for (vtkDataArray* array : this->Arrays)
-  {
-    const vtkSmartPointer<vtkDataArray> contiguous = Contiguous(array);
-    const int components = array->GetNumberOfComponents();
-    const auto read = [&](const auto* values)
-    {
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          std::copy_n(values + components * i, components,
-            this->Values.data() + this->Components * i + component);
-        });
-    };
-    if (array->GetDataType() == VTK_FLOAT)
-    {
-      read(static_cast<const float*>(contiguous->GetVoidPointer(0)));
+      this->JoinCorners(round, patches[next]);
+      this->Collect(round + 1);
     }
     else
     {
-      read(static_cast<const double*>(contiguous->GetVoidPointer(0)));
+      this->Patches.push_back({ round, &patches[next] });
     }
-    component += components;
   }
 }
 
-/// Whether the polynomial of a patch is the limit at the points of one further step: what the
-/// tolerance says of points is a distance, of arrays a difference of each component. What is not
-/// finite tells nothing.
-bool BezierWriter::Fits(const Patch& patch) const
+/// Notes which points the corners of the next root of the next round are in this one.
+void BezierWriter::JoinCorners(std::size_t round, const Patch& patch)
 {
-  const Root& root = this->Cells.GetRoot(patch.Root);
-  const PatchShape& shape = this->GetShape(root);
-  std::vector<vtkIdType> nodes;
-  this->GetNodes(patch, nodes);
-  std::vector<double> values(this->Components);
-  for (std::size_t i = 0; i < shape.Checked.size(); ++i)
+  const BezierRoots& cells = this->Made[round]->GetCells();
+  const BezierPatches& after = *this->Made[round + 1];
+  const Root& root = cells.GetRoot(patch.Root);
+  const Root& child = after.GetCells().GetRoot(after.Get()[this->Next[round + 1]].Root);
+  const LatticePart whole = after.GetCells().GetWhole(child);
+  std::vector<vtkIdType>& before = this->Before[round + 1];
+  before.resize(static_cast<std::size_t>(after.GetMesh()->GetNumberOfPoints()), -1);
+  for (const LatticePoint& corner : BezierRoots::GetShape(root).CornerPoints)
   {
-    const vtkIdType point =
-      this->Cells.GetPoint(root, patch.Part.At(shape.Checked[i], 2 * shape.Divisions));
-    std::fill(values.begin(), values.end(), 0.);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-    {
-      const double weight = shape.CheckWeights[i][k];
-      for (int c = 0; c < this->Components; ++c)
-      {
-        values[c] += weight * this->Values[this->Components * nodes[k] + c];
-      }
-    }
-    for (int c = 0; c < this->Components; ++c)
-    {
-      values[c] = std::abs(values[c] - this->Values[this->Components * point + c]);
-      if (values[c] > this->Allowed[c] && std::isfinite(values[c]))
-      {
-        return false;
-      }
-    }
-    const double distance = std::hypot(values[0], values[1], values[2]);
-    if (distance > this->Allowed[0] && std::isfinite(distance))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-void BezierWriter::Split(const Patch& patch, std::vector<Patch>& patches) const
-{
-  const Root& root = this->Cells.GetRoot(patch.Root);
-  if (root.Kind < 0 || patch.Level == root.Levels || this->Fits(patch))
-  {
-    patches.push_back(patch);
-    return;
-  }
-  Patch child = patch;
-  ++child.Level;
-  for (const LatticePart& part : BezierRoots::GetShape(root).Children)
-  {
-    child.Part = patch.Part.Take(part);
-    this->Split(child, patches);
+    before[after.GetCells().GetPoint(child, whole.At(corner, 2))] =
+      cells.GetPoint(root, patch.Part.At(corner, 2));
   }
 }
 
-void BezierWriter::ChoosePatches(int degree)
+RoundPoint BezierWriter::FindFirst(RoundPoint point) const
 {
-  this->Degree = degree;
-  const vtkIdType size = this->Cells.GetNumberOfRoots();
-  std::vector<std::vector<Patch>> patches(static_cast<std::size_t>(size));
-  ForRangesOfBlocks(size,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType r = begin; r < end; ++r)
-      {
-        const Root& root = this->Cells.GetRoot(r);
-        this->Split({ r, 0, this->Cells.GetWhole(root) }, patches[r]);
-      }
-    });
-  for (const auto& ofRoot : InTurn(patches))
+  while (point.Round > 0 && this->Before[point.Round][point.Id] >= 0)
   {
-    this->Patches.insert(this->Patches.end(), ofRoot.begin(), ofRoot.end());
+    point.Id = this->Before[point.Round--][point.Id];
   }
-}
-
-void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) const
-{
-  const Root& root = this->Cells.GetRoot(patch.Root);
-  nodes.clear();
-  if (root.Kind < 0)
-  {
-    this->Cells.GetPoints(root, nodes);
-    return;
-  }
-  const PatchShape& shape = this->GetShape(root);
-  for (const LatticePoint& node : shape.Nodes)
-  {
-    nodes.push_back(this->Cells.GetPoint(root, patch.Part.At(node, shape.Divisions)));
-  }
+  return point;
 }
 
 /// Corners are one point for all cells that have them. Other control points are one for cells of
@@ -279,32 +150,33 @@ void BezierWriter::GetNodes(const Patch& patch, std::vector<vtkIdType>& nodes) c
 /// degree.
 void BezierWriter::NumberPoints()
 {
-  std::vector<std::vector<vtkIdType>> numbers;
+  std::vector<std::vector<std::vector<vtkIdType>>> numbers(this->Made.size());
   std::vector<vtkIdType> nodes;
   this->Offsets.push_back(0);
-  for (const Patch& patch : InTurn(this->Patches))
+  for (const Chosen& patch : InTurn(this->Patches))
   {
-    const Root& root = this->Cells.GetRoot(patch.Root);
+    const Root& root = this->GetRoot(patch);
     const int corners = root.Kind < 0 ? VTK_INT_MAX : BezierRoots::GetShape(root).Corners;
-    // Steps that a root lacks count as levels: control points belong to their lattice.
-    const int level = root.Kind < 0 ? 0 : patch.Level + this->Options.Steps - root.Steps;
-    this->GetNodes(patch, nodes);
+    const int level = this->GetRound(patch).GetLevel(*patch.Which);
+    this->GetRound(patch).GetNodes(*patch.Which, nodes);
     for (std::size_t k = 0; k < nodes.size(); ++k)
     {
-      const std::size_t table = static_cast<int>(k) < corners ? 0 : 1 + level;
-      if (numbers.size() <= table)
+      const bool isCorner = static_cast<int>(k) < corners;
+      const RoundPoint node = { patch.Round, nodes[k] };
+      const RoundPoint source = isCorner ? this->FindFirst(node) : node;
+      const std::size_t table = isCorner ? 0 : 1 + level;
+      auto& tables = numbers[source.Round];
+      tables.resize(std::max(tables.size(), table + 1));
+      if (tables[table].empty())
       {
-        numbers.resize(table + 1);
+        tables[table].assign(
+          static_cast<std::size_t>(this->Made[source.Round]->GetMesh()->GetNumberOfPoints()), -1);
       }
-      if (numbers[table].empty())
-      {
-        numbers[table].assign(static_cast<std::size_t>(this->Mesh->GetNumberOfPoints()), -1);
-      }
-      vtkIdType& number = numbers[table][nodes[k]];
+      vtkIdType& number = tables[table][source.Id];
       if (number < 0)
       {
         number = static_cast<vtkIdType>(this->Sources.size());
-        this->Sources.push_back(nodes[k]);
+        this->Sources.push_back(source);
         this->Owners.push_back(&patch - this->Patches.data());
       }
       this->Ids.push_back(number);
@@ -313,23 +185,27 @@ void BezierWriter::NumberPoints()
   }
 }
 
-/// Gathers tuples of all arrays that vtkDataSetAttributes copies, which are not global ids.
-void GatherData(
-  vtkDataSetAttributes* from, const std::vector<vtkIdType>& sources, vtkDataSetAttributes* to)
+/// Gathers tuples of all arrays that vtkDataSetAttributes copies, which are not global ids; `get`:
+/// the data of the mesh of a round.
+template <typename Get>
+void GatherData(const Rounds& rounds, const std::vector<RoundPoint>& sources, const Get& get,
+  vtkDataSetAttributes* to)
 {
-  const auto size = static_cast<vtkIdType>(sources.size());
-  vtkNew<vtkIdList> fromIds;
-  vtkNew<vtkIdList> toIds;
-  fromIds->SetNumberOfIds(size);
-  toIds->SetNumberOfIds(size);
-  ForEach(size,
-    [&](vtkIdType i)
+  to->CopyAllocate(get(rounds[0]->GetMesh()), static_cast<vtkIdType>(sources.size()));
+  for (std::size_t round = 0; round < rounds.size(); ++round)
+  {
+    vtkNew<vtkIdList> fromIds;
+    vtkNew<vtkIdList> toIds;
+    for (const std::size_t i : InTurn(sources.size()))
     {
-      fromIds->SetId(i, sources[i]);
-      toIds->SetId(i, i);
-    });
-  to->CopyAllocate(from, size);
-  to->CopyData(from, fromIds, toIds);
+      if (sources[i].Round == round)
+      {
+        fromIds->InsertNextId(sources[i].Id);
+        toIds->InsertNextId(static_cast<vtkIdType>(i));
+      }
+    }
+    to->CopyData(get(rounds[round]->GetMesh()), fromIds, toIds);
+  }
 }
 
 void BezierWriter::WriteCells()
@@ -343,16 +219,16 @@ void BezierWriter::WriteCells()
   ids->SetNumberOfValues(static_cast<vtkIdType>(this->Ids.size()));
   std::copy(this->Offsets.begin(), this->Offsets.end(), offsets->GetPointer(0));
   std::copy(this->Ids.begin(), this->Ids.end(), ids->GetPointer(0));
-  std::vector<vtkIdType> sources(this->Patches.size());
+  std::vector<RoundPoint> sources(this->Patches.size());
   ForEach(size,
     [&](vtkIdType p)
     {
-      const Patch& patch = this->Patches[p];
-      const Root& root = this->Cells.GetRoot(patch.Root);
+      const Chosen& patch = this->Patches[p];
+      const Root& root = this->GetRoot(patch);
       types->SetValue(p,
-        static_cast<unsigned char>(
-          root.Kind < 0 ? this->Cells.GetType(root) : BezierRoots::GetShape(root).CellType));
-      sources[p] = root.First; // a root's cells have its data
+        static_cast<unsigned char>(root.Kind < 0 ? this->GetRound(patch).GetCells().GetType(root)
+                                                 : BezierRoots::GetShape(root).CellType));
+      sources[p] = { patch.Round, root.First }; // a root's cells have its data
     });
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, ids);
@@ -361,21 +237,24 @@ void BezierWriter::WriteCells()
     cells->ConvertTo32BitStorage();
   }
   this->Output->SetCells(types, cells);
-  GatherData(this->Mesh->GetCellData(), sources, this->Output->GetCellData());
+  GatherData(
+    this->Made, sources, [](vtkPointSet* mesh) { return mesh->GetCellData(); },
+    this->Output->GetCellData());
 }
 
 /// Writes what a patch is the first to have.
 void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
 {
-  const Patch& patch = this->Patches[p];
-  const Root& root = this->Cells.GetRoot(patch.Root);
+  const Chosen& patch = this->Patches[p];
+  const BezierPatches& round = this->GetRound(patch);
+  const Root& root = this->GetRoot(patch);
   if (root.Kind < 0)
   {
     return;
   }
-  const PatchShape& shape = this->GetShape(root);
+  const PatchShape& shape = round.GetShape(root);
   std::vector<vtkIdType> nodes;
-  this->GetNodes(patch, nodes);
+  round.GetNodes(*patch.Which, nodes);
   for (std::size_t k = shape.Corners; k < nodes.size(); ++k)
   {
     const vtkIdType id = this->Ids[this->Offsets[p] + static_cast<vtkIdType>(k)];
@@ -390,7 +269,7 @@ void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
       const double weight = shape.Weights[k][node];
       if (weight != 0.) // 0 times a value that is not finite is not 0
       {
-        const double* from = this->Values.data() + this->Components * nodes[node];
+        const double* from = round.GetValues(nodes[node]);
         for (int c = 0; c < this->Components; ++c)
         {
           to[c] += weight * from[c];
@@ -403,18 +282,22 @@ void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
 void BezierWriter::WriteValues()
 {
   const auto size = static_cast<vtkIdType>(this->Sources.size());
-  GatherData(this->Mesh->GetPointData(), this->Sources, this->Output->GetPointData());
+  GatherData(
+    this->Made, this->Sources, [](vtkPointSet* mesh) { return mesh->GetPointData(); },
+    this->Output->GetPointData());
   std::vector<double> values(static_cast<std::size_t>(this->Components * size));
   ForEach(size,
     [&](vtkIdType i)
     {
-      std::copy_n(this->Values.data() + this->Components * this->Sources[i], this->Components,
+      const RoundPoint& source = this->Sources[i];
+      std::copy_n(this->Made[source.Round]->GetValues(source.Id), this->Components,
         values.data() + this->Components * i);
     });
   ForEach(
     static_cast<vtkIdType>(this->Patches.size()), [&](vtkIdType p) { this->FitValues(p, values); });
   int component = 0;
-  for (vtkDataArray* array : this->Arrays)
+  const std::vector<vtkDataArray*>& arrays = this->Made[0]->GetArrays();
+  for (vtkDataArray* array : arrays)
   {
     const int components = array->GetNumberOfComponents();
     const auto fitted = MakeArray(array->GetDataType(), components, size);
@@ -440,7 +323,7 @@ void BezierWriter::WriteValues()
       write(static_cast<double*>(fitted->GetVoidPointer(0)));
     }
     component += components;
-    if (array == this->Arrays[0])
+    if (array == arrays[0])
     {
       vtkNew<vtkPoints> points;
       points->SetData(fitted);
@@ -448,7 +331,7 @@ void BezierWriter::WriteValues()
     }
     else
     {
-      AddInstead(this->Mesh->GetPointData(), fitted, this->Output->GetPointData());
+      AddInstead(this->Made[0]->GetMesh()->GetPointData(), fitted, this->Output->GetPointData());
     }
   }
 }
@@ -464,52 +347,116 @@ int FindLargest(int value, vtkMultiProcessController* controller)
   return largest;
 }
 
+/// Calls ofMesh(mesh) for each mesh.
+template <typename OfMesh>
+vtkSmartPointer<vtkDataObject> ForMeshes(vtkDataObject* data, const OfMesh& ofMesh)
+{
+  return ChangeMeshes(data,
+    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      const bool isMesh =
+        vtkUnstructuredGrid::SafeDownCast(object) || vtkPolyData::SafeDownCast(object);
+      return isMesh ? ofMesh(vtkPointSet::SafeDownCast(object))
+                    : vtkSmartPointer<vtkDataObject>(object);
+    });
 }
 
-vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options)
+}
+
+/// The rounds of each mesh, and what the first one found for all of them.
+struct BezierState
 {
-  const ValueRanges ranges(data, options.Controller);
-  std::vector<std::unique_ptr<BezierWriter>> writers;
-  int degree = 0;
-  const auto change = [&](const auto& ofMesh)
+  std::unique_ptr<ValueRanges> Ranges;
+  int Degree = 0;
+  std::vector<Rounds> Meshes;
+  CellSplits Splits;
+  bool AsksForSplits = true; ///< until a run takes no notice of them
+  vtkIdType Cells = 0;       ///< how many there are at least
+  vtkIdType Unknown = 0;     ///< of these, those that the next round looks at
+
+  void Add(vtkDataObject* data, const BezierOptions& options);
+  bool GoesOn(vtkDataObject* data, const BezierOptions& options);
+  vtkSmartPointer<vtkDataObject> Write(vtkDataObject* data, const BezierOptions& options);
+};
+
+/// Chooses the patches of what was made.
+void BezierState::Add(vtkDataObject* data, const BezierOptions& options)
+{
+  if (!this->Ranges)
   {
-    return ChangeMeshes(data,
-      [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
-      {
-        const bool isMesh =
-          vtkUnstructuredGrid::SafeDownCast(object) || vtkPolyData::SafeDownCast(object);
-        return isMesh ? ofMesh(vtkPointSet::SafeDownCast(object))
-                      : vtkSmartPointer<vtkDataObject>(object);
-      });
-  };
-  change(
+    this->Ranges = std::make_unique<ValueRanges>(data, options.Controller);
+  }
+  if (this->Splits.Made.empty())
+  {
+    this->Meshes.clear(); // the whole has all of them
+    this->Cells = this->Unknown = 0;
+  }
+  this->Cells -= this->Unknown;
+  std::size_t number = 0;
+  ForMeshes(data,
     [&](vtkPointSet* mesh) -> vtkSmartPointer<vtkDataObject>
     {
-      writers.push_back(
-        mesh->GetPoints() ? std::make_unique<BezierWriter>(mesh, ranges, options) : nullptr);
-      degree = std::max(degree, writers.back() ? writers.back()->FindDegree() : 0);
+      this->Meshes.resize(std::max(this->Meshes.size(), number + 1));
+      Rounds& rounds = this->Meshes[number];
+      if (!mesh->GetPoints()) // also after an error
+      {
+        rounds.clear();
+      }
+      else
+      {
+        rounds.push_back(
+          std::make_unique<BezierPatches>(mesh, *this->Ranges, options, this->Splits.Made));
+        this->Degree = std::max(this->Degree, rounds.back()->FindDegree());
+      }
+      ++number;
       return mesh;
     });
-  degree = FindLargest(degree, options.Controller);
-  bool isDone = true;
-  for (const auto& made : writers)
+  this->Degree = FindLargest(this->Degree, options.Controller);
+  for (const Rounds& rounds : this->Meshes)
   {
-    if (made)
+    if (!rounds.empty())
     {
-      made->ChoosePatches(degree);
-      isDone = isDone && made->IsDone();
+      rounds.back()->Choose(this->Degree);
+      this->Cells += static_cast<vtkIdType>(rounds.back()->Get().size());
     }
   }
-  if (options.MayGoOn && FindLargest(isDone ? 0 : 1, options.Controller) > 0)
+}
+
+/// Whether another round has to look at some cells. If one mesh is all there is, that needs no more
+/// than these.
+bool BezierState::GoesOn(vtkDataObject* data, const BezierOptions& options)
+{
+  const bool areKnown = std::all_of(this->Meshes.begin(), this->Meshes.end(),
+    [](const Rounds& rounds) { return rounds.empty() || rounds.back()->AreKnown(); });
+  if (!options.MayGoOn || FindLargest(areKnown ? 0 : 1, options.Controller) == 0)
   {
-    return nullptr;
+    return false;
   }
-  auto writer = writers.begin();
-  return change(
+  this->AsksForSplits = this->AsksForSplits && options.IsWhole && vtkPointSet::SafeDownCast(data) &&
+    this->Splits.Flags.empty() == this->Splits.Made.empty();
+  if (this->AsksForSplits)
+  {
+    const auto& flags = this->Splits.Flags.emplace_back(this->Meshes[0].back()->FlagUnknown());
+    this->Unknown = std::count(flags.begin(), flags.end(), 1);
+  }
+  else
+  {
+    this->Splits.Flags.clear();
+  }
+  this->Splits.Made.clear();
+  return true;
+}
+
+vtkSmartPointer<vtkDataObject> BezierState::Write(vtkDataObject* data, const BezierOptions& options)
+{
+  std::size_t number = 0;
+  return ForMeshes(data,
     [&](vtkPointSet* mesh) -> vtkSmartPointer<vtkDataObject>
     {
-      const auto grid = *writer ? (*writer)->Write() : vtkSmartPointer<vtkUnstructuredGrid>::New();
-      (writer++)->reset();
+      Rounds& rounds = this->Meshes[number++];
+      const auto grid = rounds.empty() ? vtkSmartPointer<vtkUnstructuredGrid>::New()
+                                       : BezierWriter(rounds, options).Write();
+      rounds.clear();
       vtkFieldData* fields = mesh->GetFieldData();
       for (int a = 0; a < fields->GetNumberOfArrays(); ++a)
       {
@@ -522,11 +469,20 @@ vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const Bezier
     });
 }
 
+BezierRounds::BezierRounds() = default;
+BezierRounds::~BezierRounds() = default;
+
+CellSplits* BezierRounds::GetSplits() const
+{
+  return this->Now->Splits.Flags.empty() ? nullptr : &this->Now->Splits;
+}
+
 int BezierRounds::Run(int most, const std::function<int(double, double)>& run)
 {
   double begin = 0.;
   int result = 0;
   this->Levels = std::min(1, most);
+  this->Now = std::make_unique<BezierState>();
   do
   {
     this->GoesOn = false; // an error ends all
@@ -536,17 +492,40 @@ int BezierRounds::Run(int most, const std::function<int(double, double)>& run)
     begin = end;
     ++this->Levels;
   } while (this->GoesOn);
+  this->Now.reset();
   return result;
 }
 
 vtkSmartPointer<vtkDataObject> BezierRounds::Finish(vtkDataObject* made, BezierOptions options)
 {
-  options.Levels = this->Levels;
-  options.Steps = this->GetSteps();
+  const CellSplits& splits = this->Now->Splits;
+  const int before = splits.Made.empty() ? 0 : static_cast<int>(splits.Flags.size());
+  options.Levels = this->Levels - before;
+  options.Steps = this->Levels + this->FurtherSteps - before;
   options.MayGoOn = this->MayGoOn;
-  const auto cells = MakeBezierCells(made, options);
-  this->GoesOn = !cells;
-  return cells ? cells : vtkSmartPointer<vtkDataObject>(made);
+  this->Now->Add(made, options);
+  this->GoesOn = this->Now->GoesOn(made, options);
+  const vtkIdType cells = this->Now->Cells;
+  if (cells > options.MaximumNumberOfCells)
+  {
+    std::ostringstream message;
+    message << "BezierTolerance = " << options.Tolerance << " would make "
+            << (this->GoesOn ? "at least " : "") << cells
+            << " Bezier cells, which is above MaximumNumberOfCells = "
+            << options.MaximumNumberOfCells
+            << ". Use a larger BezierTolerance or fewer levels, or raise MaximumNumberOfCells.";
+    options.Fail(message.str());
+    this->GoesOn = false;
+    this->Now->Meshes = std::vector<Rounds>(this->Now->Meshes.size());
+  }
+  return this->GoesOn ? vtkSmartPointer<vtkDataObject>(made) : this->Now->Write(made, options);
+}
+
+vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options)
+{
+  BezierState state;
+  state.Add(data, options);
+  return state.Write(data, options);
 }
 
 }

@@ -7,8 +7,10 @@
 #define SubdivisionObjects_BezierCells_h
 
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 
 class vtkDataObject;
@@ -26,6 +28,9 @@ struct BezierOptions
   /// Whether cells may be split more often, by further steps: then nothing is written if there are
   /// some of which this is not known yet.
   bool MayGoOn = false;
+  /// Whether what was made has all cells of the run.
+  bool IsWhole = true;
+  vtkIdType MaximumNumberOfCells = VTK_ID_MAX; ///< in this process
   /// What Bezier cells may leave out, as a part of the diagonal of the mesh, and of an array's
   /// range.
   double Tolerance = 0.;
@@ -51,30 +56,64 @@ int CountFurtherSteps(vtkDataObject* input, bool toQuads);
  * share, by the points of the mesh, are one point. Arrays of
  * floating point numbers get control values, all others the values of the point that the control
  * point belongs to. Cells of other types stay. Field data are shared, but for a stamp. All ranks
- * call this together. Returns null if steps are too few (MayGoOn).
+ * call this together.
  */
 vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* data, const BezierOptions& options);
 
+struct BezierState;
+struct CellSplits;
+
 /// The runs of a filter that make Bezier cells: with as many steps as some cell needs, and no more.
+/// After the first run each makes only cells that have to be split, where it can (CellSplits.h).
 class BezierRounds
 {
 public:
+  BezierRounds();
+  ~BezierRounds();
+
   /// Says how many steps beyond levels an input needs (CountFurtherSteps).
   void SetFurtherSteps(int further) { this->FurtherSteps = further; }
-  int GetSteps() const { return this->Levels + this->FurtherSteps; }
-  /// Calls run(begin, end), which ends with Finish, for one level and, while cells have to be split
-  /// that were not looked at, for the next, up to `most`. `begin` and `end` are where progress
-  /// goes. Returns what the last call returns.
-  int Run(int most, const std::function<int(double, double)>& run);
+  /// Calls run(), which ends with Finish, for one level and, while cells have to be split that were
+  /// not looked at, for the next, up to `most`; or once, if `most` is negative: then there are no
+  /// Bezier cells. Returns what the last call returns. `options` are those of the run.
+  template <typename Options>
+  int Run(int most, Options& options, const std::function<int()>& run)
+  {
+    auto* const cache = options.Cache;
+    const auto runPart = [&](double begin, double end)
+    {
+      options.Part = { begin, end };
+      options.Splits = most < 0 ? nullptr : this->GetSplits();
+      options.Cache = options.Splits ? nullptr : cache; // what is kept are whole levels
+      return run();
+    };
+    const int result = most < 0 ? runPart(0., 1.) : this->Run(most, runPart);
+    if (cache)
+    {
+      cache->ForgetUnused();
+    }
+    return result;
+  }
+  /// Sets the levels of a run. Its cells do not count: there will be fewer of them.
+  template <typename Options>
+  void SetLevels(Options& options) const
+  {
+    options.Levels = this->Levels + this->FurtherSteps;
+    options.MaximumNumberOfCells = VTK_ID_MAX;
+  }
   /// Makes Bezier cells by `options`, of which levels and steps are set here; or does nothing, if
   /// another run follows.
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made, BezierOptions options);
 
 private:
+  int Run(int most, const std::function<int(double, double)>& run);
+  CellSplits* GetSplits() const;
+
   int FurtherSteps = 0;
   int Levels = 0;
   bool MayGoOn = false;
   bool GoesOn = false;
+  std::unique_ptr<BezierState> Now; ///< while a filter runs
 };
 
 }

@@ -79,16 +79,22 @@ std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType
   return message.str();
 }
 
-bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme)
+LevelCounts CountSimplices(const SimplexList& cells, const SchemeTraits& scheme)
 {
-  const std::array<vtkIdType, 4> ofDimensions = CountDimensions(control);
+  const std::array<vtkIdType, 4> ofDimensions = CountDimensions(cells);
   const auto count = [&](int dimension) { return static_cast<double>(ofDimensions[dimension]); };
   LevelCounts counts;
   counts.Scheme = &scheme;
-  counts.Vertices = static_cast<double>(control.NumberOfPoints);
+  counts.Vertices = static_cast<double>(cells.NumberOfPoints);
   counts.Tets = count(3);
   counts.Faces = count(2) + 4. * counts.Tets;
   counts.Edges = count(1) + 3. * counts.Faces;
+  return counts;
+}
+
+bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme)
+{
+  LevelCounts counts = CountSimplices(control, scheme);
   double largest = std::max(4. * counts.Faces, 4. * counts.Edges);
   for (int i = 0; i < levels; ++i)
   {

@@ -22,6 +22,9 @@ std::string CheckNumberOfCells(const SimplexList& simplices, int levels, vtkIdTy
 /// The same for cells that are counted already, and the bytes that they take.
 std::string CheckNumberOfCells(double cells, double bytes, int levels, vtkIdType maximum);
 
+/// At most so many simplices a level has whose cells these are; `scheme` has to live on.
+LevelCounts CountSimplices(const SimplexList& cells, const SchemeTraits& scheme);
+
 /// Whether ids inside the program may need more than 32 bits in so many steps.
 bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceChecks.h"
 
+#include "Core/Memory/CellSplits.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Private/Control/SizeChecks.h"
@@ -229,7 +230,16 @@ bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,
     options.Warn(warning);
   }
   WarnOfUnused(scheme, options);
-  const SurfaceSize size = CountOutput(cells, scheme, options);
+  SurfaceSize size = CountOutput(cells, scheme, options);
+  if (options.Splits) // of cells that go on, with some around them
+  {
+    const std::vector<char>& flags = options.Splits->Flags.back();
+    const auto steps = options.Levels - static_cast<int>(options.Splits->Flags.size());
+    const double last =
+      std::ldexp(4. * static_cast<double>(std::count(flags.begin(), flags.end(), 1)), 2 * steps);
+    size = { std::min(size.Faces, last), std::min(size.Lines, last), std::min(size.Points, last),
+      size.HasLargeIds };
+  }
   const std::string tooLarge = CheckSize(input, cells, scheme, options, size);
   const std::string tooDense = tooLarge.empty() ? CheckDenseRows(cells, scheme, options) : tooLarge;
   if (!tooDense.empty())

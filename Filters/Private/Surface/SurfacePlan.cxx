@@ -168,6 +168,29 @@ std::vector<std::string> SurfaceRun<Id>::DescribeOpen(
   return DescribeOpenPointsOfSurface(level.Mesh, this->Points->GetCoordinates(), options);
 }
 
+/// The first level of which only what goes on with Options.Splits can be left; 0: there is none.
+template <typename Id>
+int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness& sharpness) const
+{
+  const double children = static_cast<double>(cells.VertexCells.size()) +
+    2. * static_cast<double>(cells.SegmentCells.size()) +
+    this->Scheme->CountFaces(
+      static_cast<double>(cells.GetNumberOfFaces()), static_cast<double>(cells.Corners.size()), 1);
+  if (!this->Options.Splits || this->MadeLevels > 0 || this->WantsFrames() ||
+    this->Options.Factors || this->Options.HasMaterialFields || this->Joined ||
+    &cells == &this->JoinedMesh.Cells || FindPartners(this->Options, this->Input) ||
+    children != static_cast<double>(this->Options.Splits->Flags[0].size()))
+  {
+    return 0;
+  }
+  int level = 1;
+  while (level < this->GetAllLevels() && IsSharpAfter(sharpness, level))
+  {
+    ++level;
+  }
+  return level;
+}
+
 /// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
 /// stop.
 template <typename Id>
@@ -213,8 +236,10 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     }
     fresh.Tags = std::move(tags);
     const ClaimedLevel claimed = this->GetClaimedLevel();
+    const int firstLeft = this->FindFirstLeft(cells, creases.Sharpness);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed);
+      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed,
+      firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
     steps = own.get();
     const int made = steps->GetNumberOfSteps();
     if (made < this->GetAllLevels())

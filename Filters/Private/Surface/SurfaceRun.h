@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceRun_h
 #define SubdivisionObjects_SurfaceRun_h
 
+#include "Core/Memory/CellSplits.h"
 #include "Core/Operators/MatrixFactors.h"
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
@@ -138,6 +139,7 @@ private:
   void WarnOfPartsAfresh() const;
   int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
 
+  int FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness& sharpness) const;
   bool Plan();
   bool ReadStamp();
   void ForgetStamp();
@@ -178,6 +180,9 @@ private:
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   std::vector<std::string> DescribeOpen(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
   KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
+  /// Whether only cells go on that are split (CellSplits.h).
+  bool IsNarrow() const { return this->Options.Splits && !this->Options.Splits->Made.empty(); }
+  void LeaveSplit();
   bool Execute();
   bool ForgetsLevels() const;
   void Write();

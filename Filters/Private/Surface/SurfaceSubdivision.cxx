@@ -27,11 +27,29 @@ bool SurfaceRun<Id>::ForgetsLevels() const
     !this->Options.GenerateOriginalIds && !this->Options.FindPartners;
 }
 
+/// Leaves the cells out that do not go on: vertices, and lines of which no part does.
+template <typename Id>
+void SurfaceRun<Id>::LeaveSplit()
+{
+  std::vector<vtkIdType> segments;
+  for (const vtkIdType line : this->Steps->GetSplitLines())
+  {
+    segments.push_back(this->Cells.SegmentCells[static_cast<std::size_t>(line)]);
+  }
+  this->Cells.SegmentCells = std::move(segments);
+  this->Cells.VertexCells.clear();
+  this->Cells.Vertices.clear();
+}
+
 /// Makes the cells and points of the output. Returns false if Progress asks to stop.
 template <typename Id>
 bool SurfaceRun<Id>::Execute()
 {
   const int levels = this->Options.Levels;
+  if (this->IsNarrow())
+  {
+    this->LeaveSplit();
+  }
   this->Interpolate();
   const Buffer<unsigned char> turned = this->WantsFrames()
     ? this->FindTurned(this->Joined ? *this->Joined : *this->Steps)
@@ -74,6 +92,12 @@ bool SurfaceRun<Id>::Execute()
     {
       this->Points->ForgetInputPoints();
     }
+    const std::vector<Id>& left = this->Steps->GetLeft(this->MadeLevels + step + 1);
+    if (!left.empty())
+    {
+      this->Points->Renumber([&left](vtkIdType row) { return vtkIdType(left[row]); },
+        static_cast<vtkIdType>(left.size()));
+    }
   }
   const bool addFrames = !this->Joined && this->WantsFrames();
   const TangentPairs tangents =
@@ -112,8 +136,11 @@ void SurfaceRun<Id>::Write()
     this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
-  TellOvershoot(
-    *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+  if (!this->IsNarrow()) // the whole, which was made before, told of all points
+  {
+    TellOvershoot(
+      *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+  }
   this->WriteStamp();
 }
 

@@ -14,6 +14,7 @@ class vtkPolyData;
 namespace subdivision
 {
 
+struct CellSplits;
 struct PlaceRequest;
 
 struct SurfaceOptions : RunOptions
@@ -34,6 +35,8 @@ struct SurfaceOptions : RunOptions
   SurfaceCache* Cache = nullptr;
   /// Null, or what is wanted in place of an output, by schemes that FindSurfacePlaces knows.
   const PlaceRequest* Places = nullptr;
+  /// Null, or of which cells children are wanted; then nothing is kept.
+  CellSplits* Splits = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

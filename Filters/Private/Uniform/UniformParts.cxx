@@ -80,16 +80,18 @@ void UniformRun::FindWanted()
 /// How many cells of each dimension the current level has in the output.
 std::vector<CellRun> UniformRun::CountWanted() const
 {
-  if (this->Wanted.IsAll())
+  if (this->Wanted.IsAll() && !this->IsNarrow)
   {
     return this->Control.Runs;
   }
   std::vector<CellRun> runs(4);
-  const std::vector<unsigned char>& dimensions = this->Mesh.GetControl().Dimensions;
+  const std::vector<unsigned char>& dimensions =
+    this->IsNarrow ? this->Split.Simplices.Dimensions : this->Mesh.GetControl().Dimensions;
   for (const std::size_t s : InTurn(dimensions.size()))
   {
-    runs[dimensions[s]].Count +=
-      this->Wanted.Flags[s] ? vtkIdType(1) << (dimensions[s] * this->Mesh.MadeLevels) : 0;
+    runs[dimensions[s]].Count += this->IsNarrow ? 1
+      : this->Wanted.Flags[s] ? vtkIdType(1) << (dimensions[s] * this->Mesh.MadeLevels)
+                              : 0;
   }
   for (int dimension = 0; dimension < 4; ++dimension)
   {

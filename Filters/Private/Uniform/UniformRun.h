@@ -3,8 +3,9 @@
  * @file UniformRun.h
  * One execution of a uniform subdivision: it reads, plans, and writes (UniformSubdivision.cxx); the
  * steps between (UniformSteps.cxx); what it keeps for the next (UniformKept.cxx); what it does if
- * its mesh is a part of a whole (UniformParts.cxx); the limit at places (UniformPlaces.cxx); how it
- * interpolates, and what it says of the result (UniformInterpolation.cxx).
+ * its mesh is a part of a whole (UniformParts.cxx), or if only some cells go on
+ * (UniformSplits.cxx); the limit at places (UniformPlaces.cxx); how it interpolates, and what it
+ * says of the result (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
@@ -57,6 +58,8 @@ private:
   bool BuildLevel();
   const SchemeTraits& GetScheme() const;
   bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+  /// How many steps there are from the cells that go on, or all.
+  int GetLastSteps() const;
 
   // Interpolation (UniformInterpolation.cxx).
   bool Interpolates() const;
@@ -125,6 +128,11 @@ private:
   template <typename Scheme>
   std::unique_ptr<LevelCut<Scheme>> CutOff(typename Scheme::Level& level, Kept<Scheme>& kept);
   void LeaveWanted();
+  // Levels of which only some cells go on.
+  bool FindSplit();
+  bool IsLocal() const;
+  template <typename Scheme>
+  void Narrow(typename Scheme::Level& level, int step);
   void CountInWhole(Stamp& stamp, StampedIds& ids);
 
   void Write();
@@ -158,6 +166,8 @@ private:
   FaceSides Sides;        ///< of the current level
   /// Control triangles that are turned, in the whole mesh; empty: none, or there are no normals.
   Buffer<unsigned char> Turned;
+  bool IsNarrow = false;     ///< only cells go on that Options.Splits say
+  SimplicesOfCells Split;    ///< then: those of the last level that these know
   bool Solves = false;       ///< all partitions interpolate
   bool ReusesPoints = false; ///< what was kept has the points of the output
   /// For an input with octahedra: the cells whose values the children of its cells take

@@ -82,6 +82,10 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     {
       return false;
     }
+    if (this->IsNarrow && step > 0)
+    {
+      this->Narrow<Scheme>(level, step);
+    }
     if (step + 2 == steps && !stored)
     {
       this->StepTwice<Scheme>(level);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/UniformRun.h"
 
+#include "Core/Memory/CellSplits.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
@@ -81,7 +82,10 @@ bool UniformRun::Plan()
       [this](const auto& level)
       {
         using Scheme = SchemeOf<std::decay_t<decltype(level)>>;
-        return this->HasMemoryFor(CountSimplices<Scheme>(level), sizeof(typename Scheme::Id));
+        return this->HasMemoryFor(this->IsNarrow
+            ? CountSimplices(this->Split.Simplices, Scheme::Traits)
+            : CountSimplices<Scheme>(level),
+          sizeof(typename Scheme::Id));
       },
       this->Current);
 }
@@ -134,6 +138,7 @@ void UniformRun::StartPoints()
     OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(), this->Mesh.GetGlobalIds(),
       static_cast<vtkIdType>(this->Mesh.GlobalIds.size()));
   }
+  this->IsNarrow = this->FindSplit();
 }
 
 /// Finds what was kept for this mesh, or builds the current level. Returns false if the stamp is
@@ -153,9 +158,26 @@ bool UniformRun::Build()
   const bool further = this->Options.ReadsLimit() || this->Interpolates();
   // The rings of the level that is read are made without a step, too.
   const int levels = std::max(1, this->Options.Levels + (further ? 1 : 0));
-  const bool large =
-    NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());
-  return large ? this->BuildLevel<long long>() : this->BuildLevel<int>();
+  const bool hasSmallLevels =
+    this->IsNarrow && !this->Options.Features.Sharpness && !this->Mesh.IsStamped;
+  const bool large = hasSmallLevels // one level more: with what lies around
+    ? NeedsLargeIds(this->Mesh.GetControl(), 2, this->GetScheme()) ||
+      NeedsLargeIds(this->Split.Simplices, this->GetLastSteps() + 2, this->GetScheme())
+    : NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());
+  const bool isTrue = large ? this->BuildLevel<long long>() : this->BuildLevel<int>();
+  if (isTrue && this->IsNarrow && !this->IsLocal())
+  {
+    this->IsNarrow = false;
+    this->BuildWarnings.clear();
+    return this->Build();
+  }
+  return isTrue;
+}
+
+int UniformRun::GetLastSteps() const
+{
+  return this->Options.Levels -
+    (this->IsNarrow ? static_cast<int>(this->Options.Splits->Flags.size()) : 0);
 }
 
 const SchemeTraits& UniformRun::GetScheme() const
@@ -192,7 +214,7 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
 {
   SizeEstimate estimate;
   estimate.Control = counts;
-  estimate.Levels = this->Options.Levels;
+  estimate.Levels = this->GetLastSteps();
   estimate.Runs = this->CountWanted();
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
@@ -215,8 +237,13 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
 void UniformRun::Write()
 {
   this->LeaveWanted();
+  if (this->IsNarrow)
+  {
+    this->Options.Splits->Made.assign(this->Split.ParentCells.size(), 1);
+    this->Mesh.Cells = std::move(this->Split);
+  }
   CellArrayOptions cells;
-  cells.Levels = this->Options.Levels;
+  cells.Levels = this->GetLastSteps();
   cells.PointsMove = this->Options.MovesPoints();
   cells.OriginalIds = this->Options.GenerateOriginalIds;
   cells.CarryOriginalIds = this->Mesh.IsStamped &&
@@ -245,9 +272,12 @@ void UniformRun::Write()
     AddValuesOfSimplices(this->Control.ManifoldDimensions.data(), this->Mesh.GetControl(),
       this->Mesh.MadeLevels + this->Options.Levels, DimensionName, this->Input, this->Output);
   }
-  this->CheckOrientation();
-  TellOvershoot(
-    *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+  if (!this->IsNarrow) // the whole, which was made before, told of all cells
+  {
+    this->CheckOrientation();
+    TellOvershoot(
+      *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+  }
   if (this->Options.Features.Sharpness)
   {
     ReduceSharpness(
@@ -255,8 +285,10 @@ void UniformRun::Write()
   }
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
-
-  this->WriteStamps();
+  if (!this->IsNarrow)
+  {
+    this->WriteStamps();
+  }
 }
 
 void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)

@@ -16,6 +16,7 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
+struct CellSplits;
 struct PlaceRequest;
 
 struct UniformOptions : RunOptions
@@ -40,6 +41,8 @@ struct UniformOptions : RunOptions
   OperatorCache* Cache = nullptr;
   /// Null, or what is wanted in place of an output.
   const PlaceRequest* Places = nullptr;
+  /// Null, or of which cells children are wanted; then there is no stamp, and nothing is kept.
+  CellSplits* Splits = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

@@ -67,6 +67,10 @@ public:
   /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
   const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
   const Buffer<Id>& GetOldVertices() const { return this->Vertices.Old; }
+  /// The same for edges, faces and tetrahedra of the level.
+  const Buffer<Id>& GetNewEdges() const { return this->Edges.New; }
+  const Buffer<Id>& GetNewFaces() const { return this->Faces.New; }
+  const Buffer<Id>& GetNewTets() const { return this->Tets.New; }
   /// The edges, faces, tetrahedra and octahedra of the level that the part has.
   const Buffer<Id>& GetOldEdges() const { return this->Edges.Old; }
   const Buffer<Id>& GetOldFaces() const { return this->Faces.Old; }

@@ -5,6 +5,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Dual/DualPlaces.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
+#include "Core/Surfaces/Scheme/SurfacePatch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,8 +68,10 @@ void CopyIds(const Buffer<Id>& from, Out* to)
 template <typename Id>
 SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, bool lastIsWhole,
-  const std::function<bool(double)>& stop, const ClaimedLevel& claimed)
-  : Scheme(std::move(scheme))
+  const std::function<bool(double)>& stop, const ClaimedLevel& claimed, CellSplits* splits,
+  int firstLeft)
+  : Left(static_cast<std::size_t>(steps) + 1)
+  , Scheme(std::move(scheme))
   , LastIsWhole(lastIsWhole)
 {
   this->Levels.reserve(steps + 1);
@@ -82,6 +85,10 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   const auto isRight = [&](int level) { return !claimed.IsExceededBy(this->Levels[level], level); };
   for (int step = 0; step < steps && isRight(step) && !(stop && stop(0.5 * step / steps)); ++step)
   {
+    if (splits && step > 0 && step <= static_cast<int>(splits->Flags.size()))
+    {
+      this->Leave(step, *splits, step >= firstLeft);
+    }
     SurfaceLevel<Id>& level = this->Levels.back();
     if (!this->StartsFromSkipped(step))
     {
@@ -100,6 +107,68 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   {
     this->Scheme->Prepare(this->Levels.back());
   }
+}
+
+/// Finds the lines and faces of a level that go on; if `crops`, leaves what these depend on.
+template <typename Id>
+void SurfaceSteps<Id>::Leave(int number, CellSplits& splits, bool crops)
+{
+  SurfaceLevel<Id>& level = this->Levels[number];
+  const vtkIdType lines = level.Lines.size();
+  std::vector<char> goesOn(static_cast<std::size_t>(lines + level.Mesh.NumberOfFaces), 1);
+  const std::vector<char>& before = splits.Made;
+  std::vector<vtkIdType> linesOfControl;
+  for (const vtkIdType i : InTurn(static_cast<vtkIdType>(goesOn.size())))
+  {
+    const vtkIdType parent = i < lines ? i / 2 : lines / 2 + (i - lines) / 4;
+    goesOn[i] = number == 1 || before[parent];
+    if (i < lines)
+    {
+      linesOfControl.push_back(number == 1 ? parent : this->SplitLines[parent]);
+    }
+  }
+  splits.Leave(number, goesOn);
+  if (crops)
+  {
+    std::vector<Id> vertices;
+    std::vector<Id> linesLeft;
+    this->SplitLines.clear();
+    for (const vtkIdType i : InTurn(static_cast<vtkIdType>(goesOn.size())))
+    {
+      if (goesOn[i] && i < lines)
+      {
+        const Id* ends = level.Mesh.EdgeVertices.data() + 2 * vtkIdType(level.Lines[i] / 2);
+        vertices.insert(vertices.end(), ends, ends + 2);
+        linesLeft.push_back(level.Lines[i]);
+        this->SplitLines.push_back(linesOfControl[i]);
+      }
+      else if (goesOn[i])
+      {
+        const Id face = static_cast<Id>(i - lines);
+        const Id* corners = level.Mesh.Vertices.data() + level.Mesh.GetFirst(face);
+        vertices.insert(vertices.end(), corners, corners + level.Mesh.GetSize(face));
+      }
+    }
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    SurfacePatch<Id> patch(level, vertices);
+    patch.Level.Lines = Buffer<Id>(static_cast<vtkIdType>(linesLeft.size()));
+    std::transform(linesLeft.begin(), linesLeft.end(), patch.Level.Lines.begin(),
+      [&](Id line) { return 2 * patch.Find(patch.Edges, line / 2) + line % 2; });
+    std::vector<char> left(linesLeft.size(), 1);
+    for (const Id face : InTurn(patch.Faces))
+    {
+      left.push_back(goesOn[lines + face]);
+    }
+    goesOn = std::move(left);
+    level = std::move(patch.Level);
+    this->Left[number] = { std::move(patch.Vertices), std::move(patch.Faces) };
+  }
+  else
+  {
+    this->SplitLines = std::move(linesOfControl);
+  }
+  splits.Made = std::move(goesOn);
 }
 
 /// Decides whether the level after that of a step is skipped, if it is the last one but one.
@@ -145,7 +214,9 @@ void SurfaceSteps<Id>::GetParents(int step, vtkIdType row, std::vector<vtkIdType
 {
   if (!this->StartsFromSkipped(step))
   {
-    return this->Scheme->GetParents(this->Levels[step], row, parents);
+    const std::vector<Id>& left = this->GetLeft(step + 1);
+    return this->Scheme->GetParents(
+      this->Levels[step], left.empty() ? row : vtkIdType(left[row]), parents);
   }
   this->Scheme->GetStepOfNext().GetParents(this->Levels[this->LastMade], row, parents);
 }
@@ -161,6 +232,14 @@ Buffer<Carrier<Id>> SurfaceSteps<Id>::FindCarriers(int first, int last) const
     Buffer<Carrier<Id>> children;
     this->Scheme->CarryFaces(this->Levels[step], carriers, areWhole, children);
     carriers = std::move(children);
+    const std::vector<Id>& left = this->Left[step + 1].Faces;
+    if (!left.empty())
+    {
+      Buffer<Carrier<Id>> ofLeft(static_cast<vtkIdType>(left.size()));
+      std::transform(
+        left.begin(), left.end(), ofLeft.begin(), [&](Id face) { return carriers[face]; });
+      carriers = std::move(ofLeft);
+    }
   }
   return carriers;
 }
@@ -242,26 +321,44 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
 template <typename Id>
 BlockOperator<Id> SurfaceSteps<Id>::GetStep(int step) const
 {
-  const SurfaceLevel<Id>& level = this->Levels[step];
+  const vtkIdType columns = this->Levels[step].Mesh.NumberOfVertices;
   const vtkIdType rows = this->Levels[step + 1].Mesh.NumberOfVertices;
+  const std::vector<Id>& left = this->GetLeft(step + 1);
+  const auto append = this->MakeStep(step);
+  if (left.empty())
+  {
+    return BlockOperator<Id>(columns, rows, append);
+  }
+  return BlockOperator<Id>(columns, rows,
+    [append, &left](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    {
+      for (; begin < end; ++begin)
+      {
+        append(left[begin], left[begin] + 1, block);
+      }
+    });
+}
+
+/// The rows of all that a step makes.
+template <typename Id>
+typename BlockOperator<Id>::Append SurfaceSteps<Id>::MakeStep(int step) const
+{
+  const SurfaceLevel<Id>& level = this->Levels[step];
   if (step < static_cast<int>(this->SharpSteps.size()))
   {
-    return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
-      [this, step, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-      { this->SharpSteps[step].Append(*this->Scheme, level, begin, end, block); });
+    return [this, step, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    { this->SharpSteps[step].Append(*this->Scheme, level, begin, end, block); };
   }
   if (this->StartsFromSkipped(step))
   {
     const SurfaceLevel<Id>& before = this->Levels[this->LastMade];
     const auto others =
       std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
-    return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
-      [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-      { this->Scheme->GetStepOfNext().AppendRows(before, *others, begin, end, block); });
+    return [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    { this->Scheme->GetStepOfNext().AppendRows(before, *others, begin, end, block); };
   }
-  return BlockOperator<Id>(level.Mesh.NumberOfVertices, rows,
-    [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-    { this->Scheme->AppendRows(level, level.Tags, begin, end, block); });
+  return [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+  { this->Scheme->AppendRows(level, level.Tags, begin, end, block); };
 }
 
 template <typename Id>

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceSteps_h
 #define SubdivisionObjects_SurfaceSteps_h
 
+#include "Core/Memory/CellSplits.h"
 #include "Core/Operators/BlockOperator.h"
 #include "Core/Rules/Sharpness.h"
 #include "Core/Surfaces/Scheme/SharpLimits.h"
@@ -40,10 +41,11 @@ public:
   /// Makes the levels. `control` is level 0 with its tags. The last level gets only what its cells
   /// need, or, if `lastIsWhole`, everything, so that limits can be computed. `stop(part)` receives
   /// the progress and returns true to stop; then there are fewer levels than asked for, as where a
-  /// level exceeds `claimed`.
+  /// level exceeds `claimed`. Where `splits` say which lines and faces go on, levels from
+  /// `firstLeft` on have only what these depend on; lines are those that go on.
   SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
     int steps, bool lastIsWhole, const std::function<bool(double)>& stop,
-    const ClaimedLevel& claimed = ClaimedLevel());
+    const ClaimedLevel& claimed = ClaimedLevel(), CellSplits* splits = nullptr, int firstLeft = 1);
 
   /// Replaces angles and flatness of the sectors by those of `control` on all levels. Returns
   /// false, and changes nothing, if other tags differ.
@@ -63,6 +65,10 @@ public:
   vtkIdType GetNumberOfCorners(int level) const;
   void WriteFaces(int level, IdsOut ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
+  /// The vertices that are left of those that a step to a level made; empty: all.
+  const std::vector<Id>& GetLeft(int level) const { return this->Left[level].Vertices; }
+  /// The control line of each line of the level where `splits` end.
+  const std::vector<vtkIdType>& GetSplitLines() const { return this->SplitLines; }
   /// SurfaceScheme::GetParents for a step.
   void GetParents(int step, vtkIdType row, std::vector<vtkIdType>& parents) const;
 
@@ -89,11 +95,21 @@ private:
   SharpTagPair<Id> FindSharpTags(
     const EdgeSharpness& sharpness, int step, int level, const Classify& classify) const;
 
+  void Leave(int level, CellSplits& splits, bool crops);
+  typename BlockOperator<Id>::Append MakeStep(int step) const;
   void ChooseSkipped(int step, int steps);
   /// Whether the level before a step has only its counts and lines (SkippedLevel.h).
   bool StartsFromSkipped(int step) const { return step > this->LastMade; }
 
+  struct LeftParts
+  {
+    std::vector<Id> Vertices;
+    std::vector<Id> Faces;
+  };
+
   std::vector<SurfaceLevel<Id>> Levels;
+  std::vector<LeftParts> Left; ///< of each level; empty: all
+  std::vector<vtkIdType> SplitLines;
   std::vector<SharpRows<Id>> SharpSteps; ///< the first steps, in which edges are still sharp
   SharpCreases<Id> Creases; ///< that are still sharp after the last step, where limits are known
   SharpLimits<Id> Limits;   ///< at vertices near these
