@@ -163,7 +163,8 @@ void SurfaceRun<Id>::WarnOfPartsAfresh() const
     this->Options.Warn("An earlier filter made the input on several ranks by " +
       GetName(this->Options.Scheme) +
       ", a scheme that does not go on over ranks. This filter takes the cells as any other mesh: "
-      "results are not those of one filter with all levels. Use one filter with more levels.");
+      "results may differ from those of one filter with all levels. Use one filter with more "
+      "levels.");
   }
 }
 
