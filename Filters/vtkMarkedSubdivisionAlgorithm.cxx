@@ -2,6 +2,7 @@
 #include "vtkMarkedSubdivisionAlgorithm.h"
 
 #include "Private/ArrayNames.h"
+#include "Private/Control/CoincidentPoints.h"
 #include "Private/Control/FilterRun.h"
 #include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
@@ -117,10 +118,15 @@ void vtkMarkedSubdivisionAlgorithm::PrepareRun(vtkDataObject* input)
     : nullptr;
 }
 
-/// Writes the selection into the blocks, so that it can be found in the joined mesh.
+/// Writes the selection into the blocks, so that it can be found in the joined mesh, and gives the
+/// geometry the ids that points have there.
 vtkSmartPointer<vtkDataObject> vtkMarkedSubdivisionAlgorithm::Mark(
   vtkDataObject* input, vtkDataObject* readable)
 {
+  if (this->Geometry && this->CreasePoints == SAME_ID)
+  {
+    this->Geometry = subdivision::FollowMergedPoints(this->Geometry, readable);
+  }
   if (this->GetNumberOfInputConnections(1) == 0 || !input)
   {
     return readable;

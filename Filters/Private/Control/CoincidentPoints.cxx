@@ -15,7 +15,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -72,7 +71,7 @@ private:
   void NumberParts();
   void Move(std::size_t mesh, vtkPointSet* merged) const;
   void ChangeIds(std::size_t mesh, vtkPointSet* merged);
-  void FlagMerged(std::size_t mesh, vtkPointSet* merged) const;
+  void AddStands(std::size_t mesh, vtkPointSet* merged) const;
   void ChangeArrays(std::size_t mesh, vtkPointSet* merged) const;
   void AddCopies(std::size_t mesh, vtkPointSet* merged) const;
   template <typename Visit>
@@ -310,7 +309,7 @@ vtkSmartPointer<vtkPointSet> Merger::Merge(std::size_t mesh)
   this->Move(mesh, merged);
   this->ChangeArrays(mesh, merged);
   this->ChangeIds(mesh, merged);
-  this->FlagMerged(mesh, merged);
+  this->AddStands(mesh, merged);
   if (this->Options.HasCopies)
   {
     this->AddCopies(mesh, merged);
@@ -384,19 +383,20 @@ void Merger::ChangeIds(std::size_t mesh, vtkPointSet* merged)
     });
 }
 
-/// Flags the points that cells had and have no more.
-void Merger::FlagMerged(std::size_t mesh, vtkPointSet* merged) const
+/// Says what the points became that cells had and have no more.
+void Merger::AddStands(std::size_t mesh, vtkPointSet* merged) const
 {
-  vtkNew<vtkUnsignedCharArray> flags;
-  flags->SetName(MergedPointsName);
-  flags->SetNumberOfValues(merged->GetNumberOfPoints());
-  flags->FillValue(0);
+  const vtkIdType begin = this->Starts[mesh];
+  vtkNew<vtkIdTypeArray> stands;
+  stands->SetName(MergedPointsName);
+  stands->SetNumberOfValues(merged->GetNumberOfPoints());
+  std::iota(
+    stands->GetPointer(0), stands->GetPointer(0) + stands->GetNumberOfValues(), vtkIdType(0));
   for (const vtkIdType point : FindUnusedPoints(merged))
   {
-    const vtkIdType i = this->Starts[mesh] + point;
-    flags->SetValue(point, this->Stands[i] != i);
+    stands->SetValue(point, this->Stands[begin + point] - begin);
   }
-  merged->GetPointData()->AddArray(flags);
+  merged->GetPointData()->AddArray(stands);
 }
 
 /// Writes means, and leaves out texture coordinates that would be those of one side.

@@ -22,9 +22,6 @@ class vtkPointSet;
 namespace subdivision
 {
 
-/// The point array that flags points which were merged with others.
-constexpr const char* MergedPointsName = "SubdivisionMergedPoints";
-
 struct MergeOptions
 {
   double Tolerance = 0.; ///< a part of the diagonal of the box of all points
@@ -45,7 +42,8 @@ struct MergeOptions
  * of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
  * global id (its index, where there are none). With a tolerance the points of all blocks get the
  * least coordinates of their group. Points without cells take no part. The others stay until
- * RemoveMergedPoints, so that ids stay. Polyhedra that have two points at one place keep them.
+ * RemoveMergedPoints, so that ids stay; MergedPointsName says what they became. Polyhedra that have
+ * two points at one place keep them.
  *
  * With MergedValues::Keep points of different values stay points of their own: of HasSeams as they
  * are; of HasCopies as copies, of which MaterialPointIds tells, and the cell array MergedPartsName
@@ -64,6 +62,10 @@ using PointSources = std::map<unsigned int, std::vector<vtkIdType>>;
 vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
   const std::function<void(vtkPointSet*, vtkPointSet*)>& change,
   const std::function<void(const std::string&)>& warn, PointSources& sources);
+
+/// A mesh like this one, whose points are those of the same ids in `merged` (or in a mesh without
+/// global ids of the same index), with the ids that these have after RemoveMergedPoints.
+vtkSmartPointer<vtkPointSet> FollowMergedPoints(vtkPointSet* mesh, vtkDataObject* merged);
 
 /// Begins an operator, if there is one, on the points of a mesh with the choice of those that
 /// remain.

@@ -19,13 +19,12 @@ namespace
 using Vector = std::array<double, 3>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Enough =
-  1e-6; ///< of the size: what a polynomial may leave out, as searches go on from places
-constexpr int MostSplits = 24;           ///< of a cell
-constexpr double Farthest = 1e14;        ///< sizes, beyond which only the direction counts
-constexpr vtkIdType Width = 4;           ///< children of a box
-constexpr std::size_t MostRequests = 16; ///< of a point at a time
-constexpr std::size_t MostPlaces = 16;   ///< at which searches for a point begin
+constexpr double Rounding = 1e-14;            ///< of limits, as a part of the largest coordinate
+constexpr int MostSplits = 24;                ///< of a cell
+constexpr double Farthest = 1e14;             ///< sizes, beyond which only the direction counts
+constexpr vtkIdType Width = 4;                ///< children of a box
+constexpr std::size_t MostRequests = 1 << 14; ///< of a point, so that no search goes on for ever
+constexpr std::size_t MostPlaces = 16;        ///< at which searches for a point begin
 constexpr std::size_t SplitAtATime = 512;
 
 double Measure(const Vector& a)
@@ -35,6 +34,15 @@ double Measure(const Vector& a)
 bool IsFinite(const Vector& a)
 {
   return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+/// How many patches may be split next for a point: few, as each may show that others need not be;
+/// but more once many were, as nearly all may be equally near.
+std::size_t CountRequests(std::size_t before)
+{
+  constexpr std::size_t few = 16;
+  constexpr std::size_t many = 512;
+  return before < many ? few : std::min(before / 4, MostRequests - std::min(MostRequests, before));
 }
 
 constexpr double Equal = 1e-12;    ///< scores of places of which the first counts
@@ -188,13 +196,17 @@ std::vector<Vector> LimitPatches::FindCorners()
   if (all.Low[0] <= all.High[0])
   {
     Vector diagonal{};
+    double largest = 0.;
     for (int c = 0; c < 3; ++c)
     {
+      largest = std::max({ largest, std::abs(all.Low[c]), std::abs(all.High[c]) });
       this->Middle[c] = 0.5 * all.Low[c] + 0.5 * all.High[c];
       diagonal[c] = all.High[c] - all.Low[c];
     }
-    const double size = Measure(diagonal);
-    this->Size = size > 0. ? size : 1.;
+    const double rounding = Rounding * largest;
+    this->Size = std::max(Measure(diagonal), rounding);
+    this->Size = this->Size > 0. ? this->Size : 1.;
+    this->Enough = std::max(this->Enough, rounding / this->Size);
   }
   return corners;
 }
@@ -348,7 +360,7 @@ void LimitPatches::TakeValues(vtkIdType number, const Lattice& values)
   }
   patch.Margin = error;
   this->Fit(patch);
-  patch.IsFinal = error <= Enough || patch.Splits == MostSplits;
+  patch.IsFinal = error <= this->Enough || patch.Splits == MostSplits;
   if (patch.IsFinal || !std::isfinite(error))
   {
     patch.IsFinal = true;
@@ -512,6 +524,7 @@ std::vector<std::vector<NearestPlace>> LimitPatches::Find(const std::vector<Vect
   {
     IsFinite(points[i]) ? left.push_back(i) : void();
   }
+  std::vector<std::size_t> asked(points.size(), 0);
   while (!left.empty())
   {
     std::vector<std::vector<vtkIdType>> requests(left.size());
@@ -526,7 +539,7 @@ std::vector<std::vector<NearestPlace>> LimitPatches::Find(const std::vector<Vect
           std::sort(search.Requests.begin(), search.Requests.end());
           for (const auto& [bound, patch] : search.Requests)
           {
-            if (bound < search.Least && requests[i].size() < MostRequests)
+            if (bound < search.Least && requests[i].size() < CountRequests(asked[left[i]]))
             {
               requests[i].push_back(patch);
             }
@@ -538,6 +551,7 @@ std::vector<std::vector<NearestPlace>> LimitPatches::Find(const std::vector<Vect
     for (const std::size_t i : InTurn(left.size()))
     {
       patches.insert(patches.end(), requests[i].begin(), requests[i].end());
+      asked[left[i]] += requests[i].size();
       requests[i].empty() ? void() : unfinished.push_back(left[i]);
     }
     std::sort(patches.begin(), patches.end());

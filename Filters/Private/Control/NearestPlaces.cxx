@@ -31,6 +31,7 @@ using Vector = std::array<double, 3>;
 
 constexpr int MostSteps = 40;                ///< of a search in one cell
 constexpr int MostRounds = 30;               ///< from cell to cell
+constexpr std::size_t MostSearches = 16384;  ///< in cells for each point, on average
 constexpr std::size_t PointsAtATime = 16384; ///< bounds the memory of searches
 constexpr double FoundInside = 1e-10;        ///< of the size: a distance that is rounding
 constexpr double Beside = 1e-4; ///< of the size: where boundaries do not tell what lies inside
@@ -114,8 +115,14 @@ private:
   /// Makes the distances of places smaller, from cell to cell.
   void Improve(std::vector<PlaceSearch>&& searches)
   {
+    std::size_t left = MostSearches * searches.size();
     for (int round = 0; round < MostRounds && !searches.empty(); ++round)
     {
+      if (searches.size() > left)
+      {
+        return;
+      }
+      left -= searches.size();
       this->Run(searches);
       std::vector<PlaceSearch> next;
       for (const PlaceSearch& search : searches)

@@ -7,17 +7,18 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/PointCopies.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Reading/UnusedPoints.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
 #include <type_traits>
+#include <unordered_map>
 #include <utility>
 
 namespace subdivision
 {
-
 vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
   const std::function<void(vtkPointSet*, vtkPointSet*)>& change,
   const std::function<void(const std::string&)>& warn, PointSources& sources)
@@ -26,8 +27,8 @@ vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
     [&](vtkDataObject* object, unsigned int block) -> vtkSmartPointer<vtkDataObject>
     {
       auto* mesh = vtkPointSet::SafeDownCast(object);
-      vtkDataArray* flags = mesh ? mesh->GetPointData()->GetArray(MergedPointsName) : nullptr;
-      if (!flags)
+      vtkIdTypeArray* stands = GetMergedPoints(mesh);
+      if (!stands)
       {
         return object;
       }
@@ -48,7 +49,7 @@ vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
       for (const vtkIdType i : InTurn(mesh->GetNumberOfPoints()))
       {
         places.push_back(static_cast<vtkIdType>(kept.size()));
-        if (flags->GetComponent(i, 0) == 0.)
+        if (stands->GetValue(i) == i)
         {
           kept.push_back(i);
         }
@@ -68,6 +69,51 @@ vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
       }
       return copy;
     });
+}
+
+vtkSmartPointer<vtkPointSet> FollowMergedPoints(vtkPointSet* mesh, vtkDataObject* merged)
+{
+  std::unordered_map<vtkIdType, vtkIdType> now; // by the ids before
+  ChangeMeshes(merged,
+    [&](vtkDataObject* object, unsigned int block) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* with = vtkPointSet::SafeDownCast(object);
+      vtkIdTypeArray* stands = GetMergedPoints(with);
+      const vtkIdType size = stands ? stands->GetNumberOfValues() : 0;
+      const std::vector<vtkIdType> ids =
+        size > 0 ? ReadIdsOf(with->GetPointData(), size) : std::vector<vtkIdType>();
+      vtkIdType kept = 0;
+      for (const vtkIdType i : InTurn(size))
+      {
+        const vtkIdType stand = stands->GetValue(i);
+        if (!ids.empty() && stand != i)
+        {
+          now[ids[i]] = ids[stand];
+        }
+        else if (ids.empty() && block == 0) // blocks need ids
+        {
+          now[i] = stand == i ? kept++ : now[stand]; // the first of them stands
+        }
+      }
+      return object;
+    });
+  if (now.empty())
+  {
+    return mesh;
+  }
+  std::vector<vtkIdType> ids = ReadIdsOf(mesh->GetPointData(), mesh->GetNumberOfPoints());
+  vtkNew<vtkIdTypeArray> followed;
+  followed->SetName(MergedPointsName);
+  for (const vtkIdType i : InTurn(mesh->GetNumberOfPoints()))
+  {
+    const vtkIdType id = ids.empty() ? i : ids[i];
+    const auto found = now.find(id);
+    followed->InsertNextValue(found == now.end() ? id : found->second);
+  }
+  const auto copy = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
+  copy->ShallowCopy(mesh);
+  copy->GetPointData()->SetGlobalIds(followed);
+  return copy;
 }
 
 void AppendSources(const PointSources& sources, vtkDataObject* mesh, MatrixFactors* factors)

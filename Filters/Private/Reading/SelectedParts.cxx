@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/UnusedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkCommand.h"
@@ -10,6 +11,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkExecutive.h"
 #include "vtkExtractSelection.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -106,6 +108,14 @@ SelectedParts ReadAnswer(vtkPointSet* mesh, vtkDataSet* answer)
   if (!ofCells)
   {
     selected.Points = ReadFlags(GetInsidedness(answer->GetPointData(), mesh->GetNumberOfPoints()));
+    vtkIdTypeArray* became = GetMergedPoints(mesh);
+    for (const size_t i : InTurn(became ? selected.Points.size() : 0))
+    {
+      if (selected.Points[i])
+      {
+        selected.Points[became->GetValue(static_cast<vtkIdType>(i))] = 1;
+      }
+    }
   }
   return selected;
 }

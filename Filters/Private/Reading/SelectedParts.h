@@ -21,8 +21,8 @@ namespace subdivision
 using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
 
 /// Finds the selected cells of a mesh, or of all meshes in a composite input. The result has those
-/// of `readable`, what MakeReadable makes of the input. If the selection cannot be used, `fail`
-/// gets the reason.
+/// of `readable`, what MakeReadable makes of the input; points that were merged there stand for
+/// what they became. If the selection cannot be used, `fail` gets the reason.
 SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
   vtkSelection* selection, const std::function<void(const std::string&)>& fail);
 

@@ -4,10 +4,23 @@
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/CellReader.h"
 
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 
 namespace subdivision
 {
+
+vtkIdTypeArray* GetMergedPoints(vtkPointSet* mesh)
+{
+  const vtkIdType size = mesh ? mesh->GetNumberOfPoints() : 0;
+  auto* array = size > 0
+    ? vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray(MergedPointsName))
+    : nullptr;
+  const bool isOfPoints = array && array->GetNumberOfValues() == size &&
+    array->GetValueRange(0)[0] >= 0 && array->GetValueRange(0)[1] < size;
+  return isOfPoints ? array : nullptr;
+}
 
 std::vector<vtkIdType> FindUnusedPoints(vtkPointSet* mesh)
 {

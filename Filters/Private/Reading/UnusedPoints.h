@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UnusedPoints.h
- * Finds points without cells.
+ * Points without cells: finds them, and says what became of those that lost theirs.
  */
 #ifndef SubdivisionObjects_UnusedPoints_h
 #define SubdivisionObjects_UnusedPoints_h
@@ -10,10 +10,18 @@
 
 #include <vector>
 
+class vtkIdTypeArray;
 class vtkPointSet;
 
 namespace subdivision
 {
+
+/// The point array that says, of points which MergeCoincidentPoints merged, the point that each
+/// became; of all others themselves.
+constexpr const char* MergedPointsName = "SubdivisionMergedPoints";
+
+/// That array of a mesh; null if there is none, or one whose values are no points.
+vtkIdTypeArray* GetMergedPoints(vtkPointSet* mesh);
 
 /// The points that no cell of a mesh uses, ascending. Hidden cells count too.
 std::vector<vtkIdType> FindUnusedPoints(vtkPointSet* mesh);
