@@ -434,24 +434,14 @@ std::vector<vtkIdType> FindEdgesNear(
       });
     return has;
   };
-  Buffer<unsigned char> isNear(mesh.EdgeVertices.size() / 2, 0);
-  ForRanges(isNear.size(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      constexpr vtkIdType together = 32;
-      for (vtkIdType first = begin; first < end; first += together)
-      {
-        const vtkIdType last = std::min(first + together, end);
-        for (vtkIdType edge = hasEnd(first, last) ? first : last; edge < last; ++edge)
-        {
-          isNear[edge] = hasEnd(edge, edge + 1);
-        }
-      }
-    });
   std::vector<vtkIdType> edges;
-  for (const vtkIdType edge : InTurn(isNear.size()))
+  constexpr vtkIdType together = 32;
+  const vtkIdType count = mesh.EdgeVertices.size() / 2;
+  bool isNear = false;
+  for (const vtkIdType edge : InTurn(count))
   {
-    if (isNear[edge])
+    isNear = edge % together == 0 ? hasEnd(edge, std::min(edge + together, count)) : isNear;
+    if (isNear && hasEnd(edge, edge + 1))
     {
       edges.push_back(edge);
     }
