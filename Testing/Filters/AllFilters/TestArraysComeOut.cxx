@@ -16,18 +16,14 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkExtractDimensions.h"
 #include "vtkInformation.h"
-#include "vtkInformationStringKey.h"
-#include "vtkLookupTable.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSOADataArrayTemplate.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
-#include "vtkVariantArray.h"
 
 #include <set>
 
