@@ -17,7 +17,8 @@ Grid Refine(vtkDataObject* input, const Configure& configure, Messages* messages
   {
     for (const std::string& text : *list)
     {
-      ADD_FAILURE() << "unexpected: " << text;
+      // Meshes of the zoo and of files may have parts that touch only.
+      EXPECT_NE(text.find("come apart there"), std::string::npos) << "unexpected: " << text;
     }
   }
   return filter->GetOutput();

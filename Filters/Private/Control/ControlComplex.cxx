@@ -262,7 +262,7 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
 }
 
 template <typename Id>
-void WarnOfOpenPoints(const ControlMesh& mesh, const FeatureOptions& features,
+void TellOpenPoints(const ControlMesh& mesh, const FeatureOptions& features,
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, const Coordinates& points,
   const WarnFunction& warn)
 {
@@ -307,7 +307,7 @@ bool BuildControlLevel(const ControlMesh& mesh, const FeatureOptions& features,
   if (!mesh.IsStamped)
   {
     WarnOfContradictions(features, mesh.Values, mesh.Cells, complex, control.Runs, warn);
-    WarnOfOpenPoints(mesh, features, complex, control.Runs, points, warn);
+    TellOpenPoints(mesh, features, complex, control.Runs, points, warn);
   }
   control.ManifoldDimensions = FindManifoldDimensions(complex, control.Runs);
   control.Sharpness = FindSharpness(mesh.Values, complex, control.Runs);
@@ -375,6 +375,17 @@ typename Scheme::Level BuildSharpLevel(const ControlMesh& mesh, const FeatureOpt
     mesh.MadeLevels + steps, depth);
 }
 
+}
+
+template <typename Id>
+void WarnOfOpenPoints(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, const WarnFunction& warn)
+{
+  SimplicesOfCells cells = mesh.Cells;
+  cells.TakeIds();
+  std::vector<CellRun> runs;
+  const auto complex = BuildComplex<Id>(cells.Simplices, runs);
+  TellOpenPoints(mesh, features, complex, runs, points, warn);
 }
 
 template <typename Scheme>
@@ -467,6 +478,7 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
 }
 
 SUBDIVISION_COMPILE_FUNCTION(CollectSingular);
+SUBDIVISION_COMPILE_FUNCTION(WarnOfOpenPoints);
 #define SUBDIVISION_CONTROL(Id)                                                                    \
   template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
     const WarnFunction&, Depth, ControlComplex<Id>&)

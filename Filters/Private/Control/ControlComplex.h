@@ -54,6 +54,12 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   const Coordinates& points, const WarnFunction& warn, Depth depth,
   ControlComplex<typename Scheme::Id>& control, typename Scheme::Level& current);
 
+/// Warns where cells of a mesh without a stamp come apart (OpenPoints.h). BuildControlComplex does,
+/// too; this is for runs that need no complex.
+template <typename Id>
+void WarnOfOpenPoints(const ControlMesh& mesh, const FeatureOptions& features,
+  const Coordinates& points, const WarnFunction& warn);
+
 /// Builds the level `steps` steps after the current one, for output. Edges and faces that are
 /// still sharp on it are singular.
 template <typename Scheme>

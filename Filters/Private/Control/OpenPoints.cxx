@@ -4,31 +4,18 @@
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Core/Memory/Sorting.h"
-#include "Core/Solids/Location/SimplexTree.h"
-#include "Private/Reading/FlatPart.h"
-#include "Private/Reading/NearPoints.h"
+#include "Private/Control/HangingPoints.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cmath>
 #include <numeric>
 #include <set>
 #include <sstream>
-#include <tuple>
 
 namespace subdivision
 {
 namespace
 {
-
-/// A simplex of the complex, or a face (2) or an edge (1) of a surface.
-struct Owner
-{
-  int Dimension;
-  vtkIdType Index;
-};
 
 /// How often each item is named: 0, 1, or 2 for more.
 template <typename Id>
@@ -135,11 +122,6 @@ void ForOpenParts(const PolygonMesh<Id>& mesh, const Use& use)
           corner < 0 ? Owner{ 1, edge } : Owner{ 2, mesh.GetFace(corner) });
       }
     });
-}
-
-double GetLength(const double* a, const double* b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// How far points may be apart to be told: a part of the diagonal of all.
@@ -252,230 +234,128 @@ private:
   bool Joins = false;
 };
 
-/// An open part, or another edge of a mesh of lines: what points may hang on.
-struct Host
+/// An edge or a face.
+template <typename Id>
+struct Part
 {
-  std::array<int, 3> Points = { -1, -1, -1 }; ///< among the open ones
-  int Size = 0;
-  Owner Of = { 0, 0 };
-
-  bool Has(int point) const
-  {
-    return std::find(this->Points.begin(), this->Points.end(), point) != this->Points.end();
-  }
+  const Id* Ids;
+  int Size;
 };
 
-/// The open points that hang.
-class Hanging
+template <typename Id>
+Part<Id> GetFace(const SimplicialComplex<Id>& complex, vtkIdType face)
 {
-public:
-  Hanging(const std::vector<vtkIdType>& open, const double* coordinates, vtkIdType points)
-    : Open(open)
-    , Numbers(points, -1)
-    , X(3 * open.size())
-    , Ids(static_cast<vtkIdType>(open.size()))
-    , Hangs(open.size())
-  {
-    Box box;
-    for (const std::size_t i : InTurn(open.size()))
-    {
-      box.Add(coordinates + 3 * open[i]);
-      this->Numbers[open[i]] = static_cast<int>(i);
-      this->Ids[static_cast<vtkIdType>(i)] = static_cast<int>(i);
-    }
-    // Products of very large and very small numbers do not fit.
-    const double size = GetDiagonal(box);
-    for (const std::size_t i : InTurn(this->X.size()))
-    {
-      this->X[i] = (coordinates[3 * open[i / 3] + static_cast<vtkIdType>(i % 3)] / size) -
-        box.Low[i % 3] / size;
-    }
-    this->Tree = SimplexTree(this->X.data(), 1, this->Ids);
-  }
-  template <typename Id>
-  void AddHost(const Id* vertices, int size, const Owner& owner)
-  {
-    Host host;
-    host.Size = size;
-    host.Of = owner;
-    std::transform(vertices, vertices + size, host.Points.begin(),
-      [this](Id vertex) { return this->Numbers[vertex]; });
-    this->Hosts.push_back(host);
-  }
-  /// `isOfCell(owner, vertex)`; `isSingle`: what hangs needs no edges along the host.
-  template <typename IsOfCell>
-  void Find(bool isSingle, const IsOfCell& isOfCell)
-  {
-    const auto points = static_cast<vtkIdType>(this->Open.size());
-    const auto at = [this](vtkIdType i) { return this->Hosts[i / 3].Points[i % 3]; };
-    const Rows<int> hostsAt = ListByRow<int>(
-      points + 1, 3 * this->Hosts.size(), [&](vtkIdType i) { return at(i) < 0 ? points : at(i); },
-      [](vtkIdType i) { return static_cast<int>(i / 3); });
-    this->Held = Buffer<int>(static_cast<vtkIdType>(this->Hosts.size()), -1);
-    ForEach(this->Held.size(),
-      [&](vtkIdType h)
-      {
-        const Host& host = this->Hosts[h];
-        const double* corners[3];
-        std::transform(host.Points.begin(), host.Points.begin() + host.Size, corners,
-          [this](int point) { return this->GetPoint(point); });
-        const FlatPart part(corners, host.Size);
-        const auto hasAlong = [&](int point, const Row<int>& around)
-        { return this->HasAlong(host, part, this->GetPoint(point), around); };
-        this->Tree.ForEachWhere([&](const Box& box) { return part.Meets(box); },
-          [&](vtkIdType i)
-          {
-            const auto point = static_cast<int>(i);
-            const Row<int> around = hostsAt[point];
-            if (!host.Has(point) && part.Find(this->GetPoint(point)) == FlatPart::Inside &&
-              !isOfCell(host.Of, this->Open[i]) && (isSingle || hasAlong(point, around)))
-            {
-              this->Hangs[i].store(1, std::memory_order_relaxed);
-              this->Held[h] = this->Held[h] < 0 ? point : std::min(this->Held[h], point);
-            }
-          });
-      });
-  }
-  std::string Describe(const OpenPointOptions& options) const
-  {
-    const auto count = std::count(this->Hangs.begin(), this->Hangs.end(), 1);
-    std::pair<vtkIdType, vtkIdType> first(VTK_ID_MAX, -1); // cell and point
-    for (const vtkIdType h : InTurn(this->Held.size()))
-    {
-      if (this->Held[h] >= 0)
-      {
-        const Owner& owner = this->Hosts[h].Of;
-        first = std::min(
-          first, { options.FindCell(owner.Dimension, owner.Index), this->Open[this->Held[h]] });
-      }
-    }
-    return count == 0
-      ? std::string()
-      : std::to_string(count) + (count == 1 ? " point hangs: it lies" : " points hang: they lie") +
-        " inside an edge or a face of another cell (the first cell is " +
-        std::to_string(first.first) + ", with point " + std::to_string(first.second) +
-        "), as in adaptive meshes, and cells come apart there. Switch CloseHangingNodes on to have "
-        "cells cut so that they fit.";
-  }
+  return { complex.FaceVertices.data() + 3 * face, 3 };
+}
 
-private:
-  /// Whether edges of other cells leave a point along the host on two sides. One that is hardly
-  /// longer than the tolerance may have any direction.
-  bool HasAlong(
-    const Host& host, const FlatPart& part, const double* x, const Row<int>& around) const
-  {
-    std::vector<std::array<double, 3>> along;
-    for (const int other : around)
-    {
-      const Host& edge = this->Hosts[other];
-      const bool isOwn =
-        std::tie(edge.Of.Dimension, edge.Of.Index) == std::tie(host.Of.Dimension, host.Of.Index);
-      for (int i = 0; !isOwn && i < edge.Size; ++i)
-      {
-        const double* end = this->GetPoint(edge.Points[i]);
-        std::array<double, 3> step;
-        std::array<double, 3> at;
-        for (int k = 0; k < 3; ++k)
-        {
-          step[k] = 0.25 * (end[k] - x[k]); // it may end beyond the host
-          at[k] = x[k] + step[k];
-        }
-        if (GetLength(x, at.data()) > part.GetTolerance() && part.Find(at.data()) != FlatPart::Off)
-        {
-          along.push_back(step);
-        }
-      }
-    }
-    return std::any_of(along.begin(), along.end(), [&](const auto& a)
-      { return a[0] * along[0][0] + a[1] * along[0][1] + a[2] * along[0][2] < 0.; });
-  }
-  const double* GetPoint(int i) const { return this->X.data() + 3 * static_cast<std::size_t>(i); }
+template <typename Id>
+Part<Id> GetFace(const PolygonMesh<Id>& mesh, vtkIdType face)
+{
+  const Id id = static_cast<Id>(face);
+  return { mesh.Vertices.data() + mesh.GetFirst(id), static_cast<int>(mesh.GetSize(id)) };
+}
 
-  const std::vector<vtkIdType>& Open;
-  Buffer<int> Numbers; ///< of points among the open ones
-  std::vector<double> X;
-  Buffer<int> Ids;
-  SimplexTree Tree;
-  std::vector<Host> Hosts;
-  std::vector<std::atomic<unsigned char>> Hangs;
-  Buffer<int> Held; ///< the first point that hangs on each host
-};
-
-/// The edges of a mesh of lines in whose boxes the end of another line is: mostly none. Boxes of
-/// many edges tell that first.
-template <typename Mesh>
-std::vector<vtkIdType> FindEdgesNear(
-  const std::vector<vtkIdType>& ends, const Mesh& mesh, const double* coordinates)
+/// The parts 0, 1, ... `count` - 1 in whose boxes some of the points are that are no corners of
+/// them: mostly none. Boxes of many parts tell that first.
+template <typename GetPart>
+std::vector<vtkIdType> FindPartsNear(const std::vector<vtkIdType>& points, vtkIdType count,
+  const double* coordinates, const GetPart& getPart)
 {
   std::vector<double> x;
-  for (const vtkIdType end : ends)
+  for (const vtkIdType point : points)
   {
-    x.insert(x.end(), coordinates + 3 * end, coordinates + 3 * end + 3);
+    x.insert(x.end(), coordinates + 3 * point, coordinates + 3 * point + 3);
   }
-  Buffer<int> ids(static_cast<vtkIdType>(ends.size()));
+  Buffer<int> ids(static_cast<vtkIdType>(points.size()));
   std::iota(ids.begin(), ids.end(), 0);
   const SimplexTree tree(x.data(), 1, ids);
-  const auto* corners = mesh.EdgeVertices.data();
-  const auto hasEnd = [&](vtkIdType first, vtkIdType last)
+  const auto hasPoint = [&](vtkIdType first, vtkIdType last)
   {
     Box box;
-    std::for_each(corners + 2 * first, corners + 2 * last,
-      [&](vtkIdType corner) { box.Add(coordinates + 3 * corner); });
-    const double most = FlatPart::Tolerance * GetDiagonal(box);
-    std::transform(box.Low, box.Low + 3, box.Low, [=](double low) { return low - most; });
-    std::transform(box.High, box.High + 3, box.High, [=](double high) { return high + most; });
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const auto part = getPart(i);
+      std::for_each(
+        part.Ids, part.Ids + part.Size, [&](auto corner) { box.Add(coordinates + 3 * corner); });
+    }
+    Grow(box, FlatPart::Tolerance);
     bool has = false;
+    const auto part = getPart(first);
+    const auto* const end = part.Ids + part.Size;
     tree.ForEachWhere([&](const Box& other) { return !has && box.Meets(other); },
       [&](vtkIdType i)
       {
-        const bool isOwn =
-          last == first + 1 && (ends[i] == corners[2 * first] || ends[i] == corners[2 * first + 1]);
+        const bool isOwn = last == first + 1 && std::find(part.Ids, end, points[i]) != end;
         has = has || (!isOwn && box.Holds(x.data() + 3 * i));
       });
     return has;
   };
-  std::vector<vtkIdType> edges;
   constexpr vtkIdType together = 32;
-  const vtkIdType count = mesh.EdgeVertices.size() / 2;
-  bool isNear = false;
-  for (const vtkIdType edge : InTurn(count))
-  {
-    isNear = edge % together == 0 ? hasEnd(edge, std::min(edge + together, count)) : isNear;
-    if (isNear && hasEnd(edge, edge + 1))
+  Buffer<unsigned char> isNear(count, 0);
+  ForEach((count + together - 1) / together,
+    [&](vtkIdType group)
     {
-      edges.push_back(edge);
-    }
+      const vtkIdType first = together * group;
+      const vtkIdType last = std::min(first + together, count);
+      const bool isAnyNear = hasPoint(first, last);
+      for (vtkIdType i = first; isAnyNear && i < last; ++i)
+      {
+        isNear[i] = hasPoint(i, i + 1) ? 1 : 0;
+      }
+    });
+  std::vector<vtkIdType> parts;
+  for (const vtkIdType i : InTurn(count))
+  {
+    isNear[i] ? parts.push_back(i) : void();
   }
-  return edges;
+  return parts;
 }
 
-/// Tells which open points of a mesh of lines are ends of them that hang on others.
+/// Tells which open points hang: of a mesh of lines their ends, on any of their edges; on
+/// surfaces, on any of their faces; on open parts.
 template <typename Mesh>
-std::string DescribeHangingEnds(const Mesh& mesh, std::vector<vtkIdType> points,
-  const Coordinates& coordinates, const OpenPointOptions& options)
+std::string DescribeHanging(const Mesh& mesh, std::vector<vtkIdType> points,
+  const Coordinates& coordinates, int dimension, const OpenPointOptions& options)
 {
-  const auto uses = CountUses(mesh.EdgeVertices, mesh.NumberOfVertices);
-  const auto isNoEnd = [&uses](vtkIdType point) { return uses[point] != 1; };
-  points.erase(std::remove_if(points.begin(), points.end(), isNoEnd), points.end());
-  const std::vector<vtkIdType> edges = FindEdgesNear(points, mesh, coordinates);
-  if (edges.empty())
+  using Id = std::decay_t<decltype(mesh.EdgeVertices[0])>;
+  if (dimension == 1)
+  {
+    const auto uses = CountUses(mesh.EdgeVertices, mesh.NumberOfVertices);
+    const auto isNoEnd = [&uses](vtkIdType point) { return uses[point] != 1; };
+    points.erase(std::remove_if(points.begin(), points.end(), isNoEnd), points.end());
+  }
+  Buffer<unsigned char> isOpen(mesh.NumberOfVertices, 0);
+  std::for_each(points.begin(), points.end(), [&](vtkIdType point) { isOpen[point] = 1; });
+  const auto getPart = [&](vtkIdType i)
+  { return dimension == 2 ? GetFace(mesh, i) : Part<Id>{ mesh.EdgeVertices.data() + 2 * i, 2 }; };
+  const vtkIdType count = dimension == 1 ? mesh.EdgeVertices.size() / 2
+    : dimension == 2                     ? vtkIdType(mesh.NumberOfFaces)
+                                         : 0;
+  const std::vector<vtkIdType> near = FindPartsNear(points, count, coordinates, getPart);
+  if (near.empty() && dimension < 3)
   {
     return {};
   }
-  for (const vtkIdType edge : edges)
+  for (const vtkIdType i : near)
   {
-    points.push_back(mesh.EdgeVertices[2 * edge]);
-    points.push_back(mesh.EdgeVertices[2 * edge + 1]);
+    const auto part = getPart(i);
+    points.insert(points.end(), part.Ids, part.Ids + part.Size);
   }
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
-  Hanging hanging(points, coordinates, mesh.NumberOfVertices);
-  for (const vtkIdType edge : edges)
+  HangingPoints hanging(points, coordinates, mesh.NumberOfVertices);
+  for (const vtkIdType i : near)
   {
-    hanging.AddHost(mesh.EdgeVertices.data() + 2 * edge, 2, Owner{ 1, edge });
+    const auto part = getPart(i);
+    hanging.AddHost(part.Ids, part.Size, Owner{ dimension, i });
   }
-  hanging.Find(true, [&](const Owner& owner, vtkIdType vertex)
-    { return isNoEnd(vertex) || HasVertex(mesh, owner, vertex); });
+  if (dimension > 1)
+  {
+    ForOpenParts(mesh, [&](const auto* vertices, int size, const Owner& owner)
+      { hanging.AddHost(vertices, size, owner); });
+  }
+  hanging.Find(dimension == 1, [&](const Owner& owner, vtkIdType vertex)
+    { return isOpen[vertex] && !HasVertex(mesh, owner, vertex); });
   return hanging.Describe(options);
 }
 
@@ -495,18 +375,10 @@ std::vector<std::string> Describe(const Mesh& mesh, bool hasSolids, bool hasLine
   warnings.push_back(border.Describe(options.Cure));
   const std::vector<vtkIdType>& points = border.GetOpen();
   const bool finds = !options.ClosesNodes && !points.empty() && points.size() < VTK_INT_MAX;
-  if (finds && hasLinesAlone)
+  if (finds)
   {
-    warnings.push_back(DescribeHangingEnds(mesh, points, coordinates, options));
-  }
-  else if (finds)
-  {
-    Hanging hanging(points, coordinates, mesh.NumberOfVertices);
-    ForOpenParts(mesh, [&](const auto* vertices, int size, const Owner& owner)
-      { hanging.AddHost(vertices, size, owner); });
-    hanging.Find(false,
-      [&mesh](const Owner& owner, vtkIdType vertex) { return HasVertex(mesh, owner, vertex); });
-    warnings.push_back(hanging.Describe(options));
+    const int dimension = hasSolids ? 3 : hasLinesAlone ? 1 : 2;
+    warnings.push_back(DescribeHanging(mesh, points, coordinates, dimension, options));
   }
   warnings.erase(std::remove(warnings.begin(), warnings.end(), std::string()), warnings.end());
   return warnings;

@@ -35,9 +35,9 @@ struct OpenPointOptions
  * joined: parts that touch at a point only, and cells without a size, are no reason to warn.
  *
  * Only open parts of the border can be joined: faces of one tetrahedron, edges of one triangle,
- * ends of lines; beside tetrahedra, all triangles and lines that are no part of them. Others, most
- * of a solid, need no search. Takes a step for each face or edge, and n log n for n open points;
- * some 100 bytes for each of these.
+ * ends of lines; beside tetrahedra, all triangles and lines that are no part of them. They may hang
+ * on each other, on surfaces on any face. Other points, most of a solid, need no search. Takes a
+ * step for each face or edge, and n log n for n open points; some 100 bytes for each of these.
  */
 template <typename Id>
 std::vector<std::string> DescribeOpenPoints(const SimplicialComplex<Id>& complex,

@@ -9,6 +9,7 @@
 #include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Control/StampFields.h"
+#include "Private/RedGreen/OpenSplits.h"
 #include "Private/RedGreen/RedGreenNormals.h"
 #include "Private/RedGreen/RedGreenNumbers.h"
 #include "Private/RedGreen/RedGreenWriter.h"
@@ -140,6 +141,12 @@ bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
     isFound = this->FindCells(shared, limit);
   }
   this->Criteria.reset();
+  const bool mayBeOpen = isFound && !this->ReadsLimit() && !this->Mesh.CarriesOriginals();
+  if (mayBeOpen && HasOpenSplits(*shared.State, this->GetGivenCoordinates()))
+  {
+    WarnOfOpenPoints<Id>(this->Mesh.Control, this->Options.Features, this->GetGivenCoordinates(),
+      [this](const std::string& warning) { this->Warn(warning); });
+  }
   Tell(this->Mesh.Control.Warnings, this->Options);
   return isFound;
 }

@@ -13,6 +13,7 @@
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
+#include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSurfaceSubdivision.h"
 #include "vtkTetra.h"
@@ -254,6 +255,108 @@ TEST(HangingNodes, NothingIsSaidOfWhatOnlyTouches)
     Tell(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, -0.01, 0 }, { 0, -1, 0 } },
            { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 3, 4 } } }))
       .empty());
+}
+
+/// Points inside faces, none of whose edges has a point.
+TEST(HangingNodes, InsideFaces)
+{
+  // A tetrahedron beside three, which share a point inside its face.
+  const std::vector<Point> corners = { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, { 0, 0, 3 },
+    { 1, 1, 0 }, { 0, 0, -3 } };
+  EXPECT_TRUE(Has(Tell(MakeGrid(corners,
+                    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 4, 1, 5 } },
+                      { VTK_TETRA, { 1, 4, 2, 5 } }, { VTK_TETRA, { 2, 4, 0, 5 } } })),
+    "1 point hangs: it lies inside an edge or a face of another cell (the first cell is 0, with "
+    "point 4)"));
+  // A small cube on a large one.
+  Builder cubes;
+  cubes.AddBox(VTK_HEXAHEDRON, { 0, 0, 0 }, 3.);
+  cubes.AddBox(VTK_HEXAHEDRON, { 0.6, 1, 3 }, 1.);
+  EXPECT_TRUE(Has(Tell(cubes.Make()), "4 points hang"));
+}
+
+/// Walls that stand on floors: inside a face, along an edge that two faces share, across many.
+TEST(HangingNodes, OfWallsOnFloors)
+{
+  const auto tell = [](double from, double to, double y, int wallCells)
+  {
+    Builder builder;
+    for (int i = 0; i < 16; ++i)
+    {
+      builder.AddBox(VTK_QUAD, { double(i % 4), double(i / 4), 0. }, 1.);
+    }
+    for (int i = 0; i < wallCells; ++i)
+    {
+      const double a = from + (to - from) * i / wallCells;
+      const double b = from + (to - from) * (i + 1) / wallCells;
+      builder.Add(VTK_QUAD, { { a, y, 0 }, { b, y, 0 }, { b, y, 1 }, { a, y, 1 } });
+    }
+    const Grid grid = builder.Make();
+    vtkNew<Messages> messages;
+    vtkNew<vtkSurfaceSubdivision> surface;
+    messages->Watch(surface);
+    surface->SetInputDataObject(grid);
+    surface->SetScheme(vtkSurfaceSubdivision::CATMULL_CLARK);
+    surface->Update();
+    std::vector<std::string> warnings = Tell(grid);
+    EXPECT_EQ(warnings.size(), messages->Warnings.size());
+    return warnings;
+  };
+  EXPECT_TRUE(Has(tell(1.2, 1.8, 1.3, 1), "2 points hang"));
+  EXPECT_TRUE(Has(tell(1., 2., 1., 2), "1 point hangs"));
+  EXPECT_TRUE(Has(tell(0.5, 3.5, 2.7, 5), "6 points hang"));
+  EXPECT_TRUE(tell(1., 3., 2., 2).empty()); // it shares its points
+}
+
+TEST(HangingNodes, EndsOfLinesInsideFaces)
+{
+  const std::vector<Point> points = { { 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, { 0, 0, 3 },
+    { 1, 1, 0 }, { 1, 1, -1 } };
+  const Cell beam = { VTK_LINE, { 4, 5 } };
+  EXPECT_TRUE(
+    Has(Tell(MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } }, beam })), "1 point hangs"));
+  EXPECT_TRUE(
+    Has(Tell(MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } }, beam })), "1 point hangs"));
+}
+
+/// Red-green refinement tells of points on cells that it splits.
+TEST(HangingNodes, OfRedGreenRefinement)
+{
+  const auto tell = [](const Grid& grid, double least)
+  {
+    vtkNew<vtkDoubleArray> x;
+    x->SetName("x");
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      x->InsertNextValue(grid->GetPoint(i)[0]);
+    }
+    grid->GetPointData()->AddArray(x);
+    vtkNew<Messages> messages;
+    vtkNew<vtkRedGreenRefinement> filter;
+    messages->Watch(filter);
+    filter->SetInputDataObject(grid);
+    filter->RefineByAttributeErrorOff();
+    filter->RefineByArrayRangeOn();
+    filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "x");
+    filter->SetArrayRange(least, 10.);
+    filter->SetMaximumLevel(1);
+    filter->Update();
+    EXPECT_TRUE(messages->Errors.empty());
+    return messages->Warnings;
+  };
+  EXPECT_TRUE(Has(tell(MakeTree(VTK_QUAD, 1), 0.), "2 points hang"));
+  EXPECT_TRUE(Has(tell(MakeTree(VTK_HEXAHEDRON, 1), 0.), "12 points hang"));
+  EXPECT_TRUE(Has(tell(MakeTJunction(3), 0.), "3 points hang"));
+  // Nothing is split beside the points that hang.
+  Builder builder;
+  builder.AddBox(VTK_HEXAHEDRON, { 0, 0, 0 }, 1.);
+  builder.AddBox(VTK_HEXAHEDRON, { 1, 0, 0 }, 0.5);
+  for (int i = 3; i < 8; ++i)
+  {
+    builder.AddBox(VTK_HEXAHEDRON, { 0.5 * i, 0, 0 }, 0.5);
+  }
+  EXPECT_TRUE(tell(builder.Make(), 3.9).empty());
+  EXPECT_TRUE(Has(tell(builder.Make(), 0.9), "3 points hang"));
 }
 
 TEST(HangingNodes, EndsOfLinesInsideOthers)

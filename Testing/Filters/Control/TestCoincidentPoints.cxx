@@ -169,7 +169,7 @@ TEST(CoincidentPoints, PointsThatAreNearAreToldWithATolerance)
     filter->SetMergeTolerance(1e-6);
   };
   EXPECT_TRUE(Tell<Filter>(MakeGrid(near, cells), merge).empty());
-  near[4][2] = near[5][2] = near[6][2] = 1e-4;
+  near[4][2] = near[5][2] = near[6][2] = -1e-4;
   EXPECT_TRUE(TellOf({ Tet, { VTK_TETRA, { 1, 0, 2, 7 } } }).empty());
   EXPECT_TRUE(Tell(MakeGrid(near, cells)).empty());
 }

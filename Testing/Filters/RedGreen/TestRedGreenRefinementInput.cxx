@@ -162,7 +162,8 @@ TEST(RedGreenCells, ThatCannotBeReadArePassedOver)
       filter->SetMaximumLevel(1);
     },
     messages);
-  EXPECT_EQ(messages->Warnings.size(), 3u);
+  EXPECT_EQ(messages->Warnings.size(), 4u);
+  EXPECT_EQ(messages->CountWarnings("1 point hangs"), 1); // point 4, on an edge
   EXPECT_TRUE(messages->Errors.empty());
   // An inverted tetrahedron stays inverted, a flat one flat.
   ASSERT_EQ(output->GetNumberOfCells(), 24);

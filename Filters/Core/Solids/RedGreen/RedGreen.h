@@ -118,6 +118,12 @@ public:
   /// have to look at all input cells instead: a cell is the leaf { cell, -1 } unless IsRed(cell).
   Buffer<RedGreenOutputCell<Id>> GetChangedCells(int steps = std::numeric_limits<int>::max()) const;
   bool IsRed(Id cell) const;
+  /// A bit for each edge of an input cell (Simplices.h), set where it is split after Close().
+  unsigned int GetSplitEdges(Id cell) const
+  {
+    const Id node = this->Roots[cell];
+    return node < 0 ? 0 : this->Nodes[node].Pattern;
+  }
 
   vtkIdType GetNumberOfInputCells() const { return this->Input.NumberOfSimplices; }
   Id GetNumberOfInputVertices() const { return this->InputVertices; }
