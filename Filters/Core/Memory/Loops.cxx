@@ -17,10 +17,10 @@ namespace
 {
 
 thread_local BetweenLoops* Current = nullptr;
-thread_local int DepthOfLoops = 0; ///< of those that several threads run
+thread_local int DepthOfLoops = 0; ///< of loops that several threads run
 
-/// A body whose first exception goes on in the thread that began the loop: in another one, such as
-/// where memory ends, it would end the program. Ranges after it are left out.
+/// A body whose first exception goes on in the thread that began the loop: in another thread it
+/// would end the program, for instance where memory ends. Ranges after it are left out.
 class CaughtBody
 {
 public:
@@ -103,7 +103,7 @@ constexpr double SecondsOfParts = 0.02;
 /// Runs the body in threads for parts of [begin, size), the first of which has `first` elements.
 /// The next ones are as large as takes SecondsOfParts, by the time of the part before, and end
 /// where they take far longer: memory that the system hands out for the first time may be written a
-/// hundred times as slowly as that before. Threads take `least` elements at a time, or more.
+/// hundred times as slowly as the memory before. Threads take `least` elements at a time, or more.
 void RunInParts(
   vtkIdType begin, vtkIdType size, vtkIdType first, vtkIdType least, const RangeBody& body)
 {

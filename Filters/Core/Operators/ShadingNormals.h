@@ -27,13 +27,13 @@ namespace subdivision
 /// to which it is least parallel; the z axis for a vector without length or direction.
 void FindPerpendicular(const double vector[3], double normal[3]);
 
-/// What lies around one point, as vectors from there.
+/// The corners around one point, as vectors from there.
 class ShadingStar
 {
 public:
   void Clear();
   /// Adds the corner of a face between its sides to `a` and `b`; `middle`: the face's. A `sign` of
-  /// -1 reverses the normal, which is else that of a x b.
+  /// -1 reverses the normal, which else has the direction of a x b.
   void AddCorner(const double a[3], const double b[3], const double middle[3], double sign);
   /// Adds a line to `end`.
   void AddLine(const double end[3]);

@@ -60,7 +60,7 @@ inline FlatWeights GetFlatWeights(double angle, double c, double s)
 }
 
 /// The tangent across a curve in a sector of k > 1 faces. Inner edge j has the weight sin(j pi /
-/// k), the face between edges j and j + 1 the weight Faces times the sum of those of its edges.
+/// k), the face between edges j and j + 1 the weight Faces times the sum of both.
 struct TransversalMask
 {
   double Own;

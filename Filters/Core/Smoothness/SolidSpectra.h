@@ -38,14 +38,14 @@ struct Sheet
 };
 
 /// The sheets at corners and on both sides of a curve at its vertices, ascending by vertex. Sheets
-/// that end at blended joints, or in no curve, are not among them, nor are those at a curve which
-/// is not their own.
+/// that end at blended joints, or in no curve, are not among them, nor sheets at a curve which is
+/// not their own.
 template <typename Level>
 std::vector<Sheet> FindSheets(const Level& level);
 
 /// A sheet by the rules of vtkMultiDimensionalSubdivision, whose edges at a curve have the weights
-/// of those inside, or if `modified` those of SectorEdges.h; at a corner, which has no angle here,
-/// the former in any case.
+/// of inner edges, or if `modified` the weights of SectorEdges.h; at a corner, which has no angle
+/// here, always the former.
 SmoothnessFacts ExamineSheet(const Sheet& sheet, bool modified = false);
 
 }

@@ -25,7 +25,7 @@ struct StarMap
   std::vector<double> Rings; ///< of each point: how many rings it is away from the middle
   std::vector<int> Ends;     ///< of the corners of each cell
   std::vector<int> Corners;  ///< polygons, or tetrahedra of 4 each
-  /// Of each cell: its size, as multiple of what it has in the mesh that is mapped. Negative where
+  /// Of each cell: its size, as a multiple of its size in the mesh that is mapped. Negative where
   /// the map turns it over.
   std::vector<double> Jacobians;
 
