@@ -342,7 +342,7 @@ bool HasCells(
 }
 
 SUBDIVISION_COMPILE_FUNCTION(HasCells);
-/// SUBDIVISION_COMPILE_FUNCTION for one that has the type of ids and that of the ids it writes.
+/// SUBDIVISION_COMPILE_FUNCTION for functions of two types: of ids, and of the ids they write.
 #define SUBDIVISION_COMPILE_WRITER(Function)                                                       \
   template decltype(Function<int, int>) Function<int, int>;                                        \
   template decltype(Function<int, long long>) Function<int, long long>;                            \

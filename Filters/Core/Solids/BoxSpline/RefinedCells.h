@@ -30,7 +30,7 @@ struct StoredPoints
   const double* Double = nullptr;
 };
 
-/// Where the cells go; the sizes are those that CountCells tells.
+/// Where the cells go; CountCells tells the sizes.
 template <typename Out>
 struct CellStorage
 {
@@ -57,9 +57,9 @@ template <typename Id, typename Out>
 void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out);
 
-/// Writes the children of a level's cells; `runs` are those of the level itself. Of cells of a
-/// higher dimension than `highest` only types and offsets. `points`: those of the children, only
-/// needed for out.Signs.
+/// Writes the children of a level's cells; `runs` are runs of the level itself. Of cells of a
+/// higher dimension than `highest` only types and offsets. `points` of the children are only needed
+/// for out.Signs.
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3, const StoredPoints& points = {});

@@ -2,8 +2,8 @@
 /**
  * @file SignOfChildren.h
  * The sign of the volumes of the children of tetrahedra, told from their lattice points while these
- * are at hand: reading the cells of an output once more takes longer than writing them. Volumes
- * that are larger than what they may round by have their sign.
+ * are at hand: reading the cells of an output once more takes longer than writing them. The sign
+ * counts where the volume is larger than its possible rounding.
  */
 #ifndef SubdivisionObjects_SignOfChildren_h
 #define SubdivisionObjects_SignOfChildren_h
@@ -20,8 +20,8 @@
 namespace subdivision
 {
 
-/// The lattice points of a tetrahedron and those of its children, of which there are `Parents` with
-/// a lattice: 1, the tetrahedron itself, or 8 after a step. The points are numbered: lattice points
+/// The lattice points of a tetrahedron and of its children; `Parents` of these cells have a
+/// lattice: 1, the tetrahedron itself, or 8 after a step. The points are numbered: lattice points
 /// of the tetrahedron, then the midpoints of the edges of its children by place (SolidShapes.h).
 template <int Parents>
 struct TetLattice

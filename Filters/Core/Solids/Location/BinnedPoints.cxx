@@ -16,7 +16,7 @@ namespace subdivision
 void BinnedPoints::ChooseBins(int size)
 {
   constexpr double pointsInBin = 4.;
-  constexpr double least = 1e-6; // of the longest side: what is thinner has one bin
+  constexpr double least = 1e-6; // of the longest side: a thinner side has one bin
   double widths[3];
   double longest = 0.;
   for (int c = 0; c < 3; ++c)
@@ -101,7 +101,7 @@ void BinnedPoints::Gather(const double* points, const int* ids, int size)
   }
 }
 
-/// Finds the bin of each point, and counts those of each bin.
+/// Finds the bin of each point, and counts the points of each bin.
 void BinnedPoints::FindPlaces(int size)
 {
   this->Places.resize(size);
@@ -165,7 +165,7 @@ namespace
 {
 
 /// Four bounds in bins, along a row: `Most` is the largest value of each in the row with places 0
-/// and 0, at its begin, but for what the place in the row adds.
+/// and 0, at its begin; the place in the row adds to it.
 struct BoundsOfRows
 {
   /// How far out of its bin a point may be by rounding, in bins, and more.

@@ -21,7 +21,7 @@
  *
  * Cost: an input cell is stored (is *active*) if it is marked, or if two of its vertices are
  * flagged as ends of split edges, because only such a cell can have a split edge. To find these
- * cells, threads scan those blocks of cells whose range of vertices has newly flagged ones. After
+ * cells, threads scan the blocks of cells whose range of vertices has newly flagged ones. After
  * scans of four times all cells an incidence from vertices to cells replaces them. The red children
  * of a cell are stored when one of them is marked or gets a split edge. So work and memory are
  * proportional to the cells that change, but for a few passes over all cells. Threads do the scans
@@ -67,8 +67,8 @@ public:
   /// marks and Close() throw std::invalid_argument at LastLevel.
   void AddMidpoint(Id end0, Id end1, Id midpoint);
 
-  /// Tells what happens to each input cell; else all are Own. The array must outlive this object.
-  /// Call it before all else.
+  /// Sets the scope of each input cell; else all are Own. The array must outlive this object. Call
+  /// it before all else.
   void SetScopes(const CellScope* scopes);
 
   /// @name A round
@@ -125,7 +125,7 @@ public:
   {
     return this->InputVertices + static_cast<Id>(this->MidpointEdges.size());
   }
-  /// How many cells the output would have, without those of input cells that are not Own.
+  /// How many cells the output would have, without cells from input cells that are not Own.
   vtkIdType GetNumberOfCells() const { return this->OutputCells; }
 
   /// @name Where vertices and cells come from
@@ -264,8 +264,8 @@ private:
   Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
 
-/// The vertices that a state added, by how many halvings made them: first those between vertices of
-/// the input, then those that have such a vertex at one end, and so on.
+/// The vertices that a state added, by how many halvings made them: first the midpoints between
+/// vertices of the input, then the midpoints with one of these at an end, and so on.
 template <typename Id>
 std::vector<std::vector<Id>> ListByHalvings(const RedGreen<Id>& state)
 {

@@ -31,7 +31,7 @@ struct SectorEdge
   bool IsShared = false;
   /// How much more weight this end has than by the plain rule; the other end has as much less.
   double Shift = 0.;
-  double Flatness = 0.; ///< s; 0: none, and what follows is not set
+  double Flatness = 0.; ///< s; 0: none, and the members below are not set
   /// The first and the last edge of the sector, their far ends, and the weights of these in the
   /// point towards which the new point moves; -1: not in this part of a mesh.
   Id Bounds[2] = { -1, -1 };
@@ -44,7 +44,7 @@ struct SectorEdge
   }
 };
 
-/// The records of one edge: none, or those of one or both of its ends.
+/// The records of one edge: none, or one for one or for each of its ends.
 template <typename Id>
 struct SectorEdgeRange
 {
