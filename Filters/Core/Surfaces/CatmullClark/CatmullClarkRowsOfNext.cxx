@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// The vertices of the next level, all from what this level has.
+/// The vertices of the next level, all from this level.
 template <typename Id>
 class RowsOfNext
 {

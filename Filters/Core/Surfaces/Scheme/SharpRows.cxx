@@ -143,7 +143,7 @@ std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vert
 
 /// Adds the rows of the edges whose rules depend on sharp edges: these themselves, all edges at
 /// their ends, and the other edges of the faces there. A sharp edge has its own part; another edge
-/// has the part of its ends or, if these have none, that of the other corners of its faces.
+/// has the part of its ends or, if these have none, of the other corners of its faces.
 template <typename Id>
 void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {

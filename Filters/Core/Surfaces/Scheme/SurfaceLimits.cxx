@@ -99,7 +99,7 @@ bool LimitFinder<Id>::FindSectorStar(Id vertex)
   return IsSharp(this->Tags.Edges[this->Around.Edges.front()]) && IsSharp(this->Tags.Edges[last]);
 }
 
-/// Whether the rules around the star are those of all further levels.
+/// Whether the rules around the star are the same on all further levels.
 template <typename Id>
 bool LimitFinder<Id>::IsUniform() const
 {
@@ -119,7 +119,7 @@ bool LimitFinder<Id>::IsUniform() const
     return true;
   }
   // The end of an edge on a curve changes the rule of the edge; the flatness of a corner changes
-  // those of its faces too.
+  // the rules of its faces too.
   const bool isNearCurve = std::any_of(this->Around.Ends.begin(), this->Around.Ends.end(),
     [this](Id v)
     {
@@ -132,8 +132,8 @@ bool LimitFinder<Id>::IsUniform() const
   return !isNearCurve && !isNearCorner;
 }
 
-/// Adds the mask: over the vertices of this level if rules stay the same, else over those of the
-/// next level, times the rows of the step.
+/// Adds the mask: over the vertices of this level if rules stay the same, else over the next level,
+/// times the rows of the step.
 template <typename Id>
 void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
 {

@@ -367,7 +367,7 @@ void AdaptiveSqrtThreeRows<Id>::AppendLimitOnEdge(
   }
   const int level = this->Mesh.GetLevel(corner / 3) + 1;
   const double ring = LimitOfRing / 6.;
-  const double own = (1. - LimitOfRing + ring) / 3.; // in the face and in that across PQ
+  const double own = (1. - LimitOfRing + ring) / 3.; // in the face and in the one across PQ
   for (const Id face : { corner / 3, twin / 3 })
   {
     this->AddCorners(face, own, rows);

@@ -20,17 +20,17 @@ namespace subdivision
 {
 
 /// The carrier of the child across an edge if both faces at the edge lie in one control face each:
-/// First is the control face of its last corner, Second that of the corner before, which are both
-/// new. `isSecond` tells that the child is that of the second face, (b, P, Q), in which P and Q are
-/// exchanged.
+/// First is the control face of its last corner, Second the control face of the corner before,
+/// which are both new. `isSecond`: the child is the child of the second face, (b, P, Q), in which P
+/// and Q are exchanged.
 template <typename Id>
 Carrier<Id> JoinSqrtThree(const Carrier<Id>& own, const Carrier<Id>& other, bool isSecond)
 {
   return isSecond ? Carrier<Id>{ other.First, own.First } : Carrier<Id>{ own.First, other.First };
 }
 /// The carrier of a child one step later, across the edge that begins with corner 0 to 2 of a face
-/// with the carrier `own`: the control face of the one new corner of that face at the edge. If the
-/// edge joins both new corners, it is that at which the child lies.
+/// with the carrier `own`: the control face of the one new corner of the face at the edge. If the
+/// edge joins both new corners, the child lies at one of them, which counts.
 template <typename Id>
 Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
 {
