@@ -215,7 +215,7 @@ private:
     }
   }
 
-  /// Limits of fields are divided by those of their weights, which all arrays have in common.
+  /// Limits of fields are divided by the limits of their weights, which all arrays have in common.
   void FindFactors(const PointOperator& limit, const InterpolationLimits& limits)
   {
     const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
@@ -278,7 +278,7 @@ std::string DescribeMiss(
 
 }
 
-/// Finds what is interpolated, points first.
+/// Finds the arrays to interpolate, points first.
 void PointArrays::FindInterpolated(
   const InterpolationOptions& options, const std::function<void(const std::string&)>& warn)
 {

@@ -317,8 +317,8 @@ void PointArrays::AdvanceSmoothed(
 }
 
 /// Finds the current points whose values rows take in arrays that are not smoothed: an old point
-/// keeps its own; of the ends of an edge, or the vertices of an octahedron, that with the smallest
-/// global id gives them.
+/// keeps its own; among the ends of an edge, or the vertices of an octahedron, the one with the
+/// smallest global id gives them.
 template <typename Id>
 void PointArrays::FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) const
 {

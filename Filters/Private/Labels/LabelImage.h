@@ -33,7 +33,7 @@ struct LabelImage
   vtkIdType NumberOfMaterialVoxels = 0;
   vtkIdType NumberOfMissing = 0; ///< values that are NaN or infinite, and so background
   vtkIdType FirstMissing = -1;
-  /// Of an image of blocks: what it was made of.
+  /// Of an image of blocks: the size of the image from which it was made.
   std::array<vtkIdType, 3> FineSize{ 0, 0, 0 };
   int Length = 1; ///< of a block, in voxels
   /// Of each block the bits of the ends of the image (-x, x, -y, y, -z, z) where it is the last one
@@ -92,8 +92,8 @@ void VisitBlock(const LabelImage& coarse, vtkIdType block, const Visit& visit)
 /// it is none. `array` is contiguous.
 vtkVariant FindWholeNumber(vtkDataArray* array, vtkIdType tuple);
 
-/// Sets Voxels and Labels of an image whose Size is set. Voxels where isHidden says so are
-/// background, and those whose value is missing. Returns an error message if a value is no integer.
+/// Sets Voxels and Labels of an image whose Size is set. Voxels where isHidden says so, or whose
+/// value is missing, are background. Returns an error message if a value is no integer.
 std::string ReadLabels(vtkDataArray* array, const vtkVariant& background,
   const std::function<bool(vtkIdType)>& isHidden, LabelImage& image);
 

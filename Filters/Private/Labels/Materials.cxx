@@ -98,7 +98,7 @@ void AddMaterials(vtkFieldData* table, const std::string& name,
         "\" of the table of materials has no numbers: the number of a row, from 0, is its label.");
     }
   }
-  // The arrays of field data may have different sizes: those of another are no columns.
+  // The arrays of field data may have different sizes: arrays of another size are no columns.
   const vtkIdType size = column ? column->GetNumberOfTuples() : table->GetNumberOfTuples();
   const std::vector<vtkIdType> rowOfIndex = FindRows(column, size, labels, warn);
   for (int i = 0; i < table->GetNumberOfArrays(); ++i)
