@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceStamp.h
- * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give what one
- * filter would have given (Mathematics 2).
+ * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give the same
+ * result as one filter (Mathematics 2).
  *
  * Field arrays:
  *  - `SubdivisionSurface`: scheme, levels and counts.
@@ -100,7 +100,7 @@ struct SurfaceStamp
 
 /// False where there is no stamp, or it is not of this mesh.
 bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
-/// The same for the stamp of a part; `cells` are those of the input.
+/// The same for the stamp of a part; `cells` are the cells of the input.
 bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp& stamp);
 /// Gives the edges of the control level of a part the direction that they have in the whole, where
 /// faces that the part lacks may decide it. The points on them, in `cells`, tell.
