@@ -66,7 +66,7 @@ public:
   }
   vtkIdType GetNumberOfSimplices() const { return this->Size; }
   vtkIdType GetLength() const { return (*this)[this->Size]; }
-  /// The simplex that a place belongs to.
+  /// The simplex that a position belongs to.
   vtkIdType Find(vtkIdType place) const
   {
     return this->Firsts.empty()

@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// The largest rounding error of a limit, as a part of the largest value: rows are means.
+/// The largest rounding error of a limit, as a fraction of the largest value: rows are means.
 constexpr double LimitUnit = 32. * DoubleUnit;
 
 /// The iteration for all groups together. Each of them ends by itself, when the others do not
@@ -190,8 +190,8 @@ private:
     return largest;
   }
 
-  /// Finds the ranges, and the error that each value may have: a part of that of its material,
-  /// which is the largest of its components.
+  /// Finds the ranges, and the error that each value may have: a fraction of the range of its
+  /// material, the largest of its components.
   void FindRanges()
   {
     const auto place = [&](vtkIdType i) { return this->GetSlot(i); };

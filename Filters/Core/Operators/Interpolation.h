@@ -56,8 +56,8 @@ struct WholeSystem
 struct InterpolationLimits
 {
   double LeastEigenvalue = 0.125; ///< set after measurements: Mathematics 8
-  /// The error that a group may have, as a part of its range. It is never below the rounding of its
-  /// values.
+  /// The error that a group may have, as a fraction of its range. It is never below the rounding of
+  /// its values.
   double Tolerance = 1e-10;
   int MostProducts = 40;
   /// Sets values in rows that this part of a mesh does not have right to the values of other parts;
@@ -87,7 +87,7 @@ struct InterpolationGroup
   const int* Materials = nullptr;
   int NumberOfMaterials = 1;
   int Products = 0;  ///< of L, until the error was small enough
-  double Error = 0.; ///< the largest distance of a limit from its value, as a part of the range
+  double Error = 0.; ///< the largest distance of a limit from its value, as a fraction of the range
   bool HasConverged = false;
   bool IsTooLarge = false;        ///< to be solved for directly
   std::vector<double> Range = {}; ///< the least and the largest value of each component

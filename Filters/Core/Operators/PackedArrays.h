@@ -26,7 +26,7 @@ public:
   /// keeps these, and takes no others.
   void Take(std::vector<MovedArray>& arrays, vtkIdType rows);
   bool IsEmpty() const { return this->Packs.empty(); }
-  /// Whether it has the array of this place in the list.
+  /// Whether it has the array at this position of the list.
   bool Has(std::size_t place) const;
 
   /// Results of an operator go to Out of these arrays, the same list, or stay here.

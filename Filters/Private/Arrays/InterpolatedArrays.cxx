@@ -23,8 +23,8 @@ namespace subdivision
 namespace
 {
 
-/// Part of the range that interpolated values may exceed it by rounding, and by the error of the
-/// solver. Where values are much larger than their range, so is their rounding.
+/// Fraction of the range that interpolated values may exceed it by rounding, and by the error of
+/// the solver. Where values are much larger than their range, so is their rounding.
 double GetRangeTie(vtkDataArray* array, double largest, double range)
 {
   const bool isFloat = array->GetDataType() == VTK_FLOAT;

@@ -77,14 +77,14 @@ struct Overshoot
   std::string Name;
   vtkIdType NumberOfValues;
   vtkIdType Count = 0; ///< of values that exceed the range by more than rounding
-  double Most = 0.;    ///< by how much, as a part of the range
+  double Most = 0.;    ///< by how much, as a fraction of the range
 };
 
 /// Points where the limit of a material's values is not the wanted value.
 struct LimitMisses
 {
   vtkIdType Count = 0;
-  double Most = 0.; ///< the largest distance, as a part of the range
+  double Most = 0.; ///< the largest distance, as a fraction of the range
 };
 
 /// The values of a point array of the input as a contiguous array of type `valueType`, followed by

@@ -31,7 +31,7 @@ struct BezierOptions
   /// Whether the data has all cells of the run.
   bool IsWhole = true;
   vtkIdType MaximumNumberOfCells = VTK_ID_MAX; ///< in this process
-  /// The distance that Bezier cells may have, as a part of the diagonal of the mesh, and of an
+  /// The distance that Bezier cells may have, as a fraction of the diagonal of the mesh, and of an
   /// array's range.
   double Tolerance = 0.;
   bool Use32BitIds = false;

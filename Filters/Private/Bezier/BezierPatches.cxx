@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// The part of the tolerance that checked points may use up: the largest error lies between them.
+/// The share of the tolerance for checked points: the largest error lies between them.
 constexpr double ShareOfChecks = 2. / 3.;
 
 vtkSmartPointer<vtkPointSet> CopyMesh(vtkPointSet* mesh)

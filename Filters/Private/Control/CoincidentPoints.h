@@ -24,7 +24,7 @@ namespace subdivision
 
 struct MergeOptions
 {
-  double Tolerance = 0.; ///< a part of the diagonal of the box of all points
+  double Tolerance = 0.; ///< a fraction of the diagonal of the box of all points
   MergedValues Values = MergedValues::First;
   bool InterpolateIntegers = false;
   bool JoinsBlocks = true;

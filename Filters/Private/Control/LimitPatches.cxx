@@ -19,7 +19,7 @@ namespace
 using Vector = std::array<double, 3>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Rounding = 1e-14;            ///< of limits, as a part of the largest coordinate
+constexpr double Rounding = 1e-14;            ///< of limits, by the largest coordinate
 constexpr int MostSplits = 24;                ///< of a cell
 constexpr double Farthest = 1e14;             ///< sizes, beyond which only the direction counts
 constexpr vtkIdType Width = 4;                ///< children of a box

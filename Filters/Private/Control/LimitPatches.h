@@ -81,8 +81,8 @@ private:
   const EvaluatePlaces& Evaluate;
   Vector Middle{};  ///< of all patches
   double Size = 1.; ///< and how large they are; patches have this size 1
-  /// The distance that a polynomial may have, as searches go on from places: a part of the size, or
-  /// the rounding of limits.
+  /// The distance that a polynomial may have, as searches go on from places: a fraction of the
+  /// size, or the rounding of limits.
   double Enough = 1e-6;
   std::vector<Patch> Patches;
   Buffer<vtkIdType> Order;         ///< of cells with patches along a curve

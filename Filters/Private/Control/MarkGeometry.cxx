@@ -20,7 +20,7 @@ namespace subdivision
 namespace
 {
 
-/// Points are the same that differ by less than this part of the mesh's diagonal.
+/// Points are the same that differ by less than this fraction of the mesh's diagonal.
 constexpr double Tolerance = 1e-6;
 constexpr double Forever = std::numeric_limits<double>::infinity();
 

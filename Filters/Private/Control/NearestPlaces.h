@@ -29,7 +29,7 @@ namespace subdivision
 
 struct RunOptions;
 
-/// Where places are searched: a view of simplices, or of quads in place of triangles.
+/// Where places are searched: a view of simplices, or of quads instead of triangles.
 struct SearchedCells
 {
   vtkIdType NumberOfPoints;

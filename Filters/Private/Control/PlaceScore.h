@@ -16,8 +16,8 @@
 namespace subdivision
 {
 
-/// Searches make it smaller in place of the distance from a point: half its square near the
-/// patches, and else the part of the distance that depends on the place, so that nothing cancels.
+/// Searches make it smaller instead of the distance from a point: half its square near the patches,
+/// and else the part of the distance that depends on the place, so that nothing cancels.
 class PlaceScore
 {
 public:

@@ -136,8 +136,8 @@ bool FindStep(FreeDirections& free, const Slope& slope, std::array<double, 3>& s
   return false;
 }
 
-/// Half the squared distance's change along a part of a step, if the value were linear and the step
-/// short.
+/// Half the squared distance's change along a fraction of a step, if the value were linear and the
+/// step short.
 double GetPromise(
   const FreeDirections& free, const std::array<double, 3>& step, double part, const Vector& rest)
 {
@@ -307,7 +307,7 @@ void LearnBends(PlaceSearch& search, const PlaceValue& value, const Vector& rest
   }
 }
 
-/// Damps further steps, by the part of its promise that the last one kept.
+/// Damps further steps, by the fraction of its promise that the last one kept.
 void SetDamping(PlaceSearch& search, bool isWorse)
 {
   // A step of Newton's method does half where the distance is as its derivatives tell.

@@ -35,7 +35,7 @@ bool IsMaterialTable(vtkFieldData* table, const std::string& name)
 namespace
 {
 
-/// For each place in `labels`, plus 1, the row of the table; -1: there is none.
+/// For each position in `labels`, plus 1, the row of the table; -1: there is none.
 std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
   const std::vector<vtkVariant>& labels, const std::function<void(const std::string&)>& warn)
 {

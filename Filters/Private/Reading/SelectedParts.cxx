@@ -28,7 +28,7 @@ namespace
 
 constexpr const char* InsideName = "vtkInsidedness";
 
-/// act(mesh, mesh of `other` in the same place) for all meshes of a data object.
+/// act(mesh, mesh of `other` at the same position) for all meshes of a data object.
 template <typename Act>
 void ForMeshes(vtkDataObject* object, vtkDataObject* other, const Act& act)
 {

@@ -40,7 +40,7 @@ struct SolidSplit
   static constexpr vtkIdType Centre = -1;
 
   int NumberOfTets = 0;
-  vtkIdType Tets[Maximum][4] = {}; ///< `Centre` stands for the new point, always in place 0
+  vtkIdType Tets[Maximum][4] = {}; ///< `Centre` stands for the new point, always at position 0
   bool HasCentre = false;
   /// The different points of the cell, whose mean is the centre.
   int NumberOfPoints = 0;

@@ -88,9 +88,9 @@ struct SurfaceStamp
   /// be found from their children.
   std::vector<vtkIdType> Cells;
   CarriedCells Carried;
-  /// In a part of a surface of which several partitions have parts, in the place of Angles,
-  /// FaceAngles and GivenCorners: of each control point six numbers, its number in the whole, its
-  /// coordinates, and the angle and flatness that the user gave, or -1.
+  /// In a part of a surface of which several partitions have parts, instead of Angles, FaceAngles
+  /// and GivenCorners: of each control point six numbers, its number in the whole, its coordinates,
+  /// and the angle and flatness that the user gave, or -1.
   std::vector<double> ControlPoints;
 
   bool IsOfPart() const { return !this->ControlPoints.empty(); }

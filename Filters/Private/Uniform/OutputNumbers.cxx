@@ -203,7 +203,7 @@ private:
     vtkIdType First;
     vtkIdType Last;
     size_t Kind; ///< 0 and 1: derived edges and the others; 2 and 3: the same for faces
-    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: its first vertex, its place there
+    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: first vertex, position there
   };
 
   /// Numbers the edges and faces that are no control simplices. In the whole derived ones come
@@ -239,7 +239,7 @@ private:
     this->TakeNumbers(faces, found);
   }
 
-  /// Finds the places of edges or faces among all that begin at the same vertex, and counts them.
+  /// Finds the positions of edges or faces among all with the same first vertex, and counts them.
   template <int Size>
   void CountAtVertices(Faces<Size>& faces, Ids& counts) const
   {

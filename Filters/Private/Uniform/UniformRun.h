@@ -41,7 +41,7 @@ public:
   {
   }
   bool Run();
-  /// Finds the limit at places, in place of an output.
+  /// Finds the limit at places, without an output.
   bool FindPlaces(const PlaceRequest& request);
   /// The same for the operators alone. The output gets no more than points and cells.
   bool FindOperators(UniformOperators& operators);

@@ -48,7 +48,7 @@ struct CellCounts
   vtkIdType Entries = 0; ///< of the connectivity
 };
 
-/// The runs as they are after `levels` steps: counts and places.
+/// The runs as they are after `levels` steps: counts and positions.
 std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels);
 CellCounts CountCells(const std::vector<CellRun>& runs);
 

@@ -123,8 +123,8 @@ private:
     const Vector sizes = Minus(high, low);
     return std::max({ sizes.X, sizes.Y, sizes.Z });
   }
-  /// Whether all volumes of this sign are beyond the bound, times 6. Without a loop, so that places
-  /// are constants.
+  /// Whether all volumes of this sign are beyond the bound, times 6. Without a loop, so that
+  /// numbers of points are constants.
   template <int Sign, std::size_t... Parent>
   static bool AreBeyond(const Vector (&at)[Size], double bound, std::index_sequence<Parent...>)
   {

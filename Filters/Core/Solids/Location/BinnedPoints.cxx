@@ -164,8 +164,8 @@ void BinnedPoints::Sort(int size)
 namespace
 {
 
-/// Four bounds in bins, along a row: `Most` is the largest value of each in the row with places 0
-/// and 0, at its begin; the place in the row adds to it.
+/// Four bounds in bins, along a row: `Most` is the largest value of each in the row with y = 0 and
+/// z = 0, at its begin; the position in the row adds to it.
 struct BoundsOfRows
 {
   /// How far out of its bin a point may be by rounding, in bins, and more.
@@ -173,13 +173,13 @@ struct BoundsOfRows
 
   double Most[4];
   double Steps[3][4]; ///< from bin to bin
-  // The bound holds from one place of the row on, or up to one: Most times the factor and the base.
+  // The bound holds from a position of the row on, or up to one: Most times factor plus base.
   double LowFactors[4];
   double LowBases[4];
   double HighFactors[4];
   double HighBases[4];
 
-  /// The first and the last place of the row at `y` and `z`, where bounds may hold.
+  /// The first and the last position of the row at `y` and `z`, where bounds may hold.
   std::pair<double, double> Find(int y, int z) const
   {
     double lows[4];

@@ -31,8 +31,8 @@ template <typename Id>
 void AddSharpSectors(const std::vector<Id>& smooth, const std::vector<Id>& sharp,
   const Buffer<Id>& edgeVertices, vtkIdType vertices, std::vector<SharpRow>& rows);
 
-/// Explicit rows with blends of a smooth and a sharp row each in the place of some of `smooth`;
-/// `rows` ascend. appendSmooth(row, factor, rows) and appendSharp append a row times a factor.
+/// Explicit rows with blends of a smooth and a sharp row each instead of some of `smooth`; `rows`
+/// ascend. appendSmooth(row, factor, rows) and appendSharp append a row times a factor.
 template <typename Id, typename AppendSmooth, typename AppendSharp>
 ExplicitRows<Id> BlendRows(const std::vector<SharpRow>& rows, const ExplicitRows<Id>& smooth,
   const AppendSmooth& appendSmooth, const AppendSharp& appendSharp)

@@ -6,7 +6,7 @@
  * The *lattice points* of a solid are its vertices, then the midpoints of its edges, then, if it
  * has one, its centre. All edges are halved and all faces, which are triangles, are split into
  * four. So a shape only describes its inside: a struct with
- *  - Shapes, the ShapeList of the scheme, and Index, its place there;
+ *  - Shapes, the ShapeList of the scheme, and Index, its position there;
  *  - the numbers Vertices, Edges, Faces, and Centres (1 if its centre is a vertex of the next
  * level, otherwise 0);
  *  - EdgeVertices, EdgeOf and FaceVertices as in tetrahedron (Simplices.h), and FaceOf(a, b, c),

@@ -22,7 +22,7 @@ struct Descendant
   vtkIdType Base;
   vtkIdType Stride;
   bool IsOct;
-  vtkIdType FirstChild; ///< place of its first child among the cells of t in the output
+  vtkIdType FirstChild; ///< position of its first child among the cells of t
   vtkIdType FirstOct;   ///< the same among octahedra
 };
 
