@@ -83,9 +83,8 @@ struct EqualRows
   const double* Weights;
 };
 
-/// The rows of the corners of quads, with the same weights in all of them: of each four rows, row k
-/// has the four columns of the first one from the k-th on, in a circle. Count is a multiple of
-/// four.
+/// The rows of the corners of quads, with the same weights in all of them: row k of each four has
+/// the columns of the first one, begun at the k-th, in a circle. Count is a multiple of four.
 template <typename Id>
 struct QuadRows
 {

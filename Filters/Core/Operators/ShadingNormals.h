@@ -7,11 +7,11 @@
  * They follow from the *star* of a point: the directions in which its neighbours lie after so many
  * more steps that only the limit counts. A point at faces gets the mean of the normals of their
  * corners, weighted by angle, or, where these cancel, the sum of the areas beside it, or else the
- * normal of the largest one. A point with lines only gets a direction perpendicular to them: to the
- * chord of their other ends if there are two, so that a curve has the normal of its tangent, else
- * to the longest one. A point without faces and lines gets the z axis. Where several directions are
- * as good, the choice depends on coordinates and never on numbers of points or on the order of
- * calls.
+ * normal of the largest one. A point with lines only gets a direction perpendicular to them. Two
+ * lines count as the chord of their other ends, so that a curve has the normal of its tangent; else
+ * the longest line counts. A point without faces and lines gets the z axis. Where several
+ * directions are as good, the choice depends on coordinates and never on numbers of points or on
+ * the order of calls.
  */
 #ifndef SubdivisionObjects_ShadingNormals_h
 #define SubdivisionObjects_ShadingNormals_h

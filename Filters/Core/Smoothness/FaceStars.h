@@ -25,8 +25,8 @@ constexpr int CountAroundCorner(int distance)
 /**
  * ExamineSurface for dual schemes. The corners of the face in the middle count as one edge away
  * from it, their neighbours as two, and so on. Once edges have a quarter of the length, the map is
- * looked at on all faces that have a corner between one and two of the long edges away: one period
- * takes all corners that are two edges away to the corners one edge away.
+ * looked at on all faces with a corner between one and two of the long edges away. One period takes
+ * all corners that are two edges away to the corners one edge away.
  */
 SmoothnessFacts ExamineFace(const SurfaceStar& star, bool samples);
 

@@ -35,10 +35,10 @@ SolidStar OrderStar(const SolidStar& star, bool marks);
 /**
  * Of an edge the vertex in its middle after one step is examined, of a face one of the three inside
  * it after two, of a tetrahedron the one in its middle. Sets eigenvalues and condition, and, where
- * the condition holds and `samples`, looks at the characteristic map: the eigenvectors of l1, l2,
- * l3, as coordinates of the vertices up to twice as far as the solids at the vertex go, are taken
- * one step further. It is regular if all tetrahedra of that level which do not touch the vertex,
- * but go no farther than three times as far as the ones at the vertex, have the same orientation; a
+ * the condition holds and `samples`, looks at the characteristic map. It takes the eigenvectors of
+ * l1, l2, l3 one step further, as coordinates of the vertices up to twice as far as the solids at
+ * the vertex go. It is regular if all tetrahedra of that level which do not touch the vertex, but
+ * go no farther than three times as far as the ones at the vertex, have the same orientation; a
  * step repeats the space between. It is injective too if the tetrahedra at the vertex go around it
  * once: they, and all their images by further steps, then cover space once.
  * Stars of too many tetrahedra are not examined (LocalMatrix.h): all eigenvalues are 0.

@@ -18,11 +18,11 @@ namespace subdivision
 
 /**
  * Of `size` vertices of a level that can be refined (Depth::ForRefinement). The matrix has columns
- * for the vertex and for all that its rule reads in later steps: nothing more at a corner, the two
- * neighbours on a curve, the neighbours in a surface, all neighbours in a solid or at a blended
- * joint, and in a tet/oct level the opposites in octahedra. So the rule's dimension decides which
- * condition there is; there is none at corners and joints. Equal matrices are solved once in each
- * thread. Matrices of more than LocalMatrix::MostItems rows are not examined: all eigenvalues are
+ * for the vertex and all that its rule reads in later steps: none at a corner, two neighbours on a
+ * curve, the neighbours in a surface, all neighbours in a solid or at a blended joint, and in a
+ * tet/oct level the opposites in octahedra. So the rule's dimension decides which condition there
+ * is; there is none at corners and joints. Equal matrices are solved once in each thread. Matrices
+ * of more than LocalMatrix::MostItems rows are not examined: all eigenvalues are
  * 0.
  */
 template <typename Level>

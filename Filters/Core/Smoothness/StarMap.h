@@ -52,10 +52,9 @@ public:
 
   /**
    * The map with the middle in the origin. Eigenvectors have no scale, and where eigenvalues are
-   * equal no direction: of all linear images the one is chosen whose points have equal moments in
-   * all directions, whose point `first` lies on the x axis, as far away as Rings says, and whose
-   * point `second` lies in the upper half of the x-y plane. Most of its cells have a positive
-   * Jacobian.
+   * equal no direction. So one of all linear images is chosen: its points have equal moments in all
+   * directions, point `first` lies on the x axis, as far away as Rings says, and point `second` in
+   * the upper half of the x-y plane. Most of its cells have a positive Jacobian.
    */
   StarMap Make(int middle, int first, int second) const;
 

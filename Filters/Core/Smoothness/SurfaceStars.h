@@ -65,7 +65,7 @@ bool HasCentres(SurfaceSchemeKind scheme);
  * Where the condition holds and `samples`, the characteristic map, the eigenvectors of l1 and l2,
  * is taken further until edges have a quarter of the length (a ninth for sqrt(3)). It is regular if
  * all triangles (three corners in a row of each face) that lie between the first ring and its image
- * by a step keep their orientation; it is injective too if the first ring goes around once, or at
+ * by a step keep their orientation. It is injective too if the first ring goes around once, or at
  * a curve less than once. FaceStars.h says which faces are looked at in dual schemes.
  */
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples);

@@ -21,10 +21,10 @@ namespace subdivision
 /**
  * Passes on splits between partitions. Each marks its own faces, and splits in its copies of other
  * faces all that must be split before. It sends the splits that are in its own faces, or beside
- * them, to the partitions that have copies of these; these split the faces that arrive, with all
- * that must be split before, and so on, until nobody has anything new. As the set of split faces
- * does not depend on the order of splits, it is then the same as in the whole surface in all faces
- * that share a point with an own one.
+ * them, to the partitions that have copies of these. They split these faces, and all that must be
+ * split before, and so on, until nobody has anything new. As the set of split faces does not depend
+ * on the order of splits, it is then the same as in the whole surface in all faces that share a
+ * point with an own one.
  *
  * Faces that must be split before a face are at most two layers of control faces away from it: one
  * for the control faces themselves, and less than one for the smaller faces of all later levels. So

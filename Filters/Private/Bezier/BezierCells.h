@@ -48,9 +48,9 @@ int CountFurtherSteps(vtkDataObject* input, bool toQuads);
 /**
  * Makes a grid of Bezier cells of a mesh that was split uniformly and moved to the limit, or of
  * each mesh of a composite data set. The cells of a cell of the control mesh follow one another.
- * Each control cell becomes one Bezier cell if that is the limit but for two thirds of the
- * tolerance at the points of one further step, so that the tolerance is kept between these too;
- * else its children do, down to `Levels`.
+ * Each control cell becomes one Bezier cell if that is the limit, up to two thirds of the
+ * tolerance, at the points of one further step: so the tolerance is kept between these too. Else
+ * its children do, down to `Levels`.
  *
  * All cells have one degree, the largest that one of them needs. Control points that equal cells
  * share, by the points of the mesh, are one point. Arrays of
@@ -73,9 +73,9 @@ public:
 
   /// Says how many steps beyond levels an input needs (CountFurtherSteps).
   void SetFurtherSteps(int further) { this->FurtherSteps = further; }
-  /// Calls run(), which ends with Finish, for one level and, while cells have to be split that were
-  /// not looked at, for the next, up to `most`; or once, if `most` is negative: then there are no
-  /// Bezier cells. Returns the result of the last call. `options`: of the run.
+  /// Calls run(), which ends with Finish, for one level, and for the next, up to `most`, while
+  /// cells have to be split that were not looked at. Calls it once if `most` is negative: then
+  /// there are no Bezier cells. Returns the result of the last call. `options`: of the run.
   template <typename Options>
   int Run(int most, Options& options, const std::function<int()>& run)
   {

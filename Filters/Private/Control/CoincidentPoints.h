@@ -38,10 +38,10 @@ struct MergeOptions
 };
 
 /**
- * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points:
- * of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
- * global id (its index, where there are none). With a tolerance the points of all blocks get the
- * least coordinates of their group. Points without cells take no part. The others stay until
+ * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points.
+ * Of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
+ * global id, or without ids the first. With a tolerance the points of all blocks get the least
+ * coordinates of their group. Points without cells take no part. The others stay until
  * RemoveMergedPoints, so that ids stay; MergedPointsName says which point each became. Polyhedra
  * that have two points at one place keep them.
  *

@@ -27,8 +27,8 @@ std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners
  * whole, and each has to be known to a partition.
  *
  * All partitions call this together. A directory finds where parts of two partitions share a face;
- * the first partition joins them: four exchanges, 8 (Width + 2) bytes for each face, and about 50
- * for each two parts that share any; one sum where all are oriented alike.
+ * the first partition joins them. This takes four exchanges, 8 (Width + 2) bytes for each face, and
+ * about 50 for each two parts that share any; where all are oriented alike, one sum.
  */
 Buffer<unsigned char> JoinSides(
   const FaceSides& sides, const SharedKeys& faces, Partners& partners);

@@ -63,8 +63,8 @@ constexpr const char* SharpnessNames[3] = { "", "SubdivisionLineSharpness",
   "SubdivisionTriangleSharpness" };
 
 /// The field arrays of a part of a surface with its control points as they were at first: the
-/// number of each in the whole, its coordinates, and the numbers of SurfaceStamp.h; and with pairs
-/// of points and for how many levels the edge between them stays sharp.
+/// number of each in the whole, its coordinates, and the numbers of SurfaceStamp.h. A second one
+/// has pairs of points, and for how many levels the edge between them stays sharp.
 constexpr const char* ControlPointsName = "SubdivisionControlPoints";
 constexpr int ControlPointComponents = 6;
 constexpr const char* ControlCreasesName = "SubdivisionControlCreases";

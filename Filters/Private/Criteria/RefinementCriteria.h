@@ -147,7 +147,7 @@ public:
   }
 
   /// The point arrays: coordinates, then the arrays of the other criteria. Where refinement moves
-  /// points it writes to them; relative tolerances stay as of the input.
+  /// points it writes to them; tolerances stay relative to the input.
   std::vector<ContinuedArray*> GetPointArrays();
 
   const ContinuedArray& GetCoordinates() const { return this->Coordinates; }

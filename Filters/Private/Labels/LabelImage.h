@@ -108,8 +108,8 @@ LabelImage Coarsen(const LabelImage& image, int length);
 int FindBlockLength(const LabelImage& image, vtkIdType wanted);
 
 /// Adds to `cells` the arrays of `voxels` but `labels`, ids and ghosts, a tuple for each voxel of
-/// `coarse` that is no background: of floating point arrays the mean over the voxels of the block
-/// that have its label, of others the tuple of the first of these.
+/// `coarse` that is no background. Floating point arrays get the mean over the voxels of the block
+/// that have its label, others the tuple of the first of these.
 void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, vtkDataSetAttributes* voxels,
   vtkDataArray* labels, vtkDataSetAttributes* cells,
   const std::function<void(const std::string&)>& warn);

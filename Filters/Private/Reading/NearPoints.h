@@ -51,7 +51,7 @@ private:
 /**
  * For each of `points` the first one of its group, by `order`. Two points are in one group where
  * they are at most `tolerance` apart (0: equal; -0 is 0), or where a chain of such steps leads from
- * one to the other: so groups depend neither on the order of points nor on threads. A point that is
+ * one to the other. So groups depend neither on the order of points nor on threads. A point that is
  * not finite is alone.
  *
  * Sorts the points by the cells of a grid, within which all are near each other, and compares

@@ -34,8 +34,8 @@ struct OwnSimplices
 /**
  * The numbers of the whole complex. Each partition finds the components of its own edges;
  * components of two partitions that share a vertex are one. Partitions tell each other which
- * components they have at shared vertices, and the first one which of them are one: two exchanges,
- * and 40 bytes for each two components that meet at the border of two partitions.
+ * components they have at shared vertices, and the first one tells which of them are one. This
+ * takes two exchanges, and 40 bytes for each two components that meet at a border.
  */
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,

@@ -45,9 +45,9 @@ void AddLayer(const SimplexList& simplices, std::vector<char>& flags)
 
 }
 
-/// Finds the control simplices whose children the output needs. With limits all are made to the
-/// end, because a limit depends on a ring of the last level; with fields of materials, because the
-/// colours of a point come from all cells at it; and where somebody else reads them.
+/// Finds the control simplices whose children the output needs. All are made to the end with
+/// limits, because a limit depends on a ring of the last level, with fields of materials, because
+/// the colours of a point come from all cells at it, and where others read them.
 void UniformRun::FindWanted()
 {
   this->Wanted = WantedSimplices();

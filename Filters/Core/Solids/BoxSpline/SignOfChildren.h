@@ -48,8 +48,8 @@ template <int Parents>
 constexpr TetLattice<Parents> TetLatticeOf{};
 
 /// Finds the sign that the volumes of all children of a tetrahedron have (tetrahedron::Children),
-/// or of all their children; 0: several, or that is not known, because one may be rounding, or
-/// products may overflow or vanish.
+/// or of all their children. 0: they differ, or one may be rounding, or products may overflow or
+/// vanish.
 template <int Parents>
 class SignOfChildren
 {

@@ -30,8 +30,8 @@
  *
  * Memory (Id int): 1 byte per input point, 4 per input cell of each page of 4096 where one is
  * stored; 84 bytes per stored cell, 24 per edge of these that is looked up, 24 to 96 for its entry
- * in the index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell
- * of an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
+ * in the index, 4 per new vertex. In all 200 to 300 bytes per stored cell, or some 50 per cell of
+ * an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
  * stored cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h

@@ -21,8 +21,8 @@ namespace subdivision
 {
 
 /// Sorts the six vertices of an octahedron into an order that depends on its vertices and
-/// orientation only: the smaller one first in each pair, the pairs by their first vertices, and the
-/// last pair swapped if the orientation requires it.
+/// orientation only. Each pair has the smaller one first, pairs ascend by their first vertices, and
+/// the last pair is swapped if the orientation requires it.
 template <typename Id>
 void SortOctahedron(Id vertices[6])
 {

@@ -59,9 +59,9 @@ inline double CurveRing(int k, int i, int j)
   return (std::sin(i * t) * std::sin(j * t) + std::sin(2. * i * t) * std::sin(2. * j * t) / 2.) / k;
 }
 
-/// The value at neighbour i of the function that is linear in a sector of this angle, 1 at the
-/// other end of one sharp edge (the last one if `last`), and 0 at the other end of the other one
-/// and at the corner.
+/// The value at neighbour i of a function that is linear in a sector of this angle. It is 1 at the
+/// other end of one sharp edge (the last one if `last`), and 0 at the corner and at the other end
+/// of the other one.
 inline double LinearInSector(int k, double angle, int i, bool last)
 {
   return std::sin((last ? i : k - i) * angle / k) / std::sin(angle);

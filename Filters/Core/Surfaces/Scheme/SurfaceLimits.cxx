@@ -345,9 +345,9 @@ std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
   return matrix;
 }
 
-/// Turns the mask, a first guess, into a left eigenvector by power iteration: for a position that
-/// of the eigenvalue 1, whose entries sum to 1, for a tangent one of the next two, whose entries
-/// sum to 0.
+/// Turns the mask, a first guess, into a left eigenvector by power iteration. A position has the
+/// eigenvalue 1 and entries with the sum 1, a tangent one of the next two and entries with the sum
+/// 0.
 template <typename Id>
 void LimitFinder<Id>::Solve(LimitKind kind, const std::vector<double>& matrix)
 {

@@ -373,8 +373,8 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
 }
 
 /// Appends the limit (1 - b) p + b mean(ring) (Kobbelt, eq. 7). Before an even step, a vertex p
-/// opposite to a fixed edge has the ring for which this holds only after the step: there the two
-/// points on the fixed edge take the place of the centre of the face.
+/// opposite to a fixed edge has no such ring, but after the step it has: there the two points on
+/// the fixed edge replace the centre of the face.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothPosition(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
