@@ -77,7 +77,7 @@ int FindParity(const std::array<int, 4>& order)
   return sign;
 }
 
-/// For each tetrahedron 1 or -1: whether its orientation is that of the first one.
+/// For each tetrahedron 1 or -1: whether it is oriented as the first one.
 /// Across a face the orders (face, apex) of two tetrahedra are opposite.
 std::vector<int> FindTurns(const std::vector<std::array<int, 4>>& tets)
 {

@@ -29,7 +29,7 @@ public:
 
   /// From here on arrays that were made here leave their memory here.
   void Await();
-  /// Gives the system the memory that they left and nobody took; ends what Await began.
+  /// Gives the system the memory that they left and nobody took; ends Await.
   void Release();
 
   /// The same as MakeArray in Arrays.h, in memory that came back if there is some of that size.

@@ -123,8 +123,8 @@ private:
   bool Known;
 };
 
-/// In which triangle a part lies: in that of its centre, or it is at a corner. Then it is the child
-/// across the edge of its parent between that corner and the centre.
+/// In which triangle a part lies: in the triangle of its centre, or it is at a corner. Then it is
+/// the child across the edge of its parent between that corner and the centre.
 vtkIdType FindTriangle(
   const SortedCells& before, const SortedCells& between, const SortedCells& after, vtkIdType child)
 {

@@ -59,8 +59,8 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
   return complex;
 }
 
-/// The sharpness of derived simplices of a dimension; empty if all are infinite. `known` has that
-/// of marked ones.
+/// The sharpness of derived simplices of a dimension; empty if all are infinite. `known` has the
+/// sharpness of marked ones.
 std::vector<double> FindDerivedSharpness(
   const SharpTuples& known, const std::vector<vtkIdType>& tuples, int dimension)
 {

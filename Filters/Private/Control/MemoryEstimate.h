@@ -2,7 +2,7 @@
 /**
  * @file MemoryEstimate.h
  * The memory that the work of a filter was expected to need, kept for the message that it was not
- * enough. The bodies stand in SizeChecks.cxx, whose checks keep what they estimate.
+ * enough. The bodies stand in SizeChecks.cxx, whose checks keep their estimates.
  */
 #ifndef SubdivisionObjects_MemoryEstimate_h
 #define SubdivisionObjects_MemoryEstimate_h

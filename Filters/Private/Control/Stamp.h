@@ -108,7 +108,7 @@ struct StampedIds
   std::vector<vtkIdType> Interpolated; ///< one number (InterpolatedName) or none
 };
 
-/// Writes or replaces the field arrays of a finished output; removes those without ids.
+/// Writes or replaces the field arrays of a finished output; removes arrays without ids.
 void WriteStampedIds(const StampedIds& ids, vtkPointSet* output);
 
 /// Reads the derived singular simplices, as tuples of point ids.

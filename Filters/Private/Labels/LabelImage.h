@@ -99,8 +99,8 @@ std::string ReadLabels(vtkDataArray* array, const vtkVariant& background,
 
 /// Makes one voxel of each block of `length`^3: of the label that most of its voxels have. Where
 /// labels have equally many, materials come before background, then the smallest label wins. At the
-/// end of the image blocks have half of that length or more, or up to one half more. Labels are
-/// those of `image`, also where none is left.
+/// end of the image blocks have half of that length or more, or up to one half more. Labels are the
+/// labels of `image`, also where none is left.
 LabelImage Coarsen(const LabelImage& image, int length);
 
 /// The smallest length of blocks that leaves at most `wanted` voxels of materials; 1 if `wanted`

@@ -2,7 +2,7 @@
 /**
  * @file Models.h
  * The control meshes of vtkSubdivisionModelSource: the files in Data, which WriteTables.cmake turns
- * into tables while the library is built. The documentation of this class tells what they show.
+ * into tables while the library is built. The documentation of this class describes them.
  */
 #ifndef SubdivisionObjects_Models_h
 #define SubdivisionObjects_Models_h

@@ -324,7 +324,7 @@ void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& ke
   }
 }
 
-/// Makes the cells of the output. `points` are those of the output, or null where they are not
+/// Makes the cells of the output. `points` are points of the output, or null where they are not
 /// known yet; then pieces are chosen later.
 template <typename Scheme>
 void UniformRun::MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FourEightStar.h
- * What limits of the 4-8 scheme read at a vertex: its faces, and the faces beyond their sides.
+ * The faces that limits of the 4-8 scheme read at a vertex: its own, and the ones beyond their
+ * sides.
  */
 #ifndef SubdivisionObjects_FourEightStar_h
 #define SubdivisionObjects_FourEightStar_h

@@ -37,8 +37,8 @@ public:
   void AppendVertex(Id vertex, RowBlock<Id>& rows) const;
 
   /// AppendCentre appends the row of the centre that a face has, or would have if it were split, on
-  /// its first level; AppendCentreLimit that of its limit. The face must not be one that cuts its
-  /// edge.
+  /// its first level; AppendCentreLimit the row of its limit. The face must not be one that cuts
+  /// its edge.
   void AppendCentre(Id face, RowBlock<Id>& rows) const;
   void AppendCentreLimit(Id face, RowBlock<Id>& rows) const;
   /// Appends the row of a limit at one third of an edge, from its beginning or, if `isFromEnd`,
