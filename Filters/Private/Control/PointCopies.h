@@ -25,8 +25,8 @@
 namespace subdivision
 {
 
-/// For each point the first one with the same MaterialPointIds and the same coordinates; no two
-/// points share a negative id. Empty if all are different.
+/// For each point the first one with the same MaterialPointIds and the same coordinates; points
+/// with a negative id are alone. Empty if all are different.
 std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh);
 
 /// A copy of the values of an array, made in parts: DeepCopy of VTK cannot be stopped.

@@ -13,7 +13,7 @@ namespace subdivision
 namespace
 {
 
-/// Makes the ring of each row i of `around`. Its carriers are all that accept(i, carrier), or
+/// Makes the ring of each row i of `around`. Its carriers are all with accept(i, carrier), or
 /// simply all if acceptAll(i), with member(i, carrier) as members; the vertices of reliefs[i]
 /// follow, with the carrier -1.
 template <typename Id, typename AcceptAll, typename Accept, typename Member>

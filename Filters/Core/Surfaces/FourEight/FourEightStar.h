@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FourEightStar.h
- * The faces that limits of the 4-8 scheme read at a vertex: its own, and the ones beyond their
- * sides.
+ * The faces that limits of the 4-8 scheme read: at a vertex, and beyond the sides of these.
  */
 #ifndef SubdivisionObjects_FourEightStar_h
 #define SubdivisionObjects_FourEightStar_h

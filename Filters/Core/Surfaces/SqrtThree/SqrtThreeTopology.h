@@ -39,11 +39,11 @@ Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
   return { face, face };
 }
 
-/// How many corners after one another the three faces follow that a step made around a vertex, from
-/// the one with the vertex's corner on: at the centre of face f the step makes the children 3 f +
-/// i. In each of these the half-edge from the centre begins child 9 f + 3 i + 2 of the next step,
-/// whose first half-edge begins child 3 (9 f + 3 i + 2) of the step after it, and so on. 0: no step
-/// made the vertex.
+/// A step makes three faces around a vertex. Returns by how many corners each follows the one
+/// before, from the one with the vertex's corner on; 0: no step made the vertex. At the centre of
+/// face f the step makes the children 3 f + i. In each of these the half-edge from the centre
+/// begins child 9 f + 3 i + 2 of the next step, whose first half-edge begins child 3 (9 f + 3 i +
+/// 2) of the step after it, and so on.
 template <typename Id>
 Id GetStrideOfMade(Id corner)
 {
