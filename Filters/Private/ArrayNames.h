@@ -15,7 +15,7 @@ constexpr const char* OriginalPointIdsName = "vtkOriginalPointIds";
 constexpr const char* OriginalCellIdsName = "vtkOriginalCellIds";
 constexpr const char* SingularName = "Singular";
 /// The cell array that says from which block a cell of a joined mesh is: the index of a block of
-/// this rank, NoBlock for a cell of another rank. Filters carry it to what they make of the cell.
+/// this rank, NoBlock for a cell of another rank. Filters carry it to the descendants of the cell.
 constexpr const char* BlockName = "SubdivisionBlock";
 constexpr int NoBlock = -1;
 /// The cell array with the selected cells of a mesh that is joined of several blocks.

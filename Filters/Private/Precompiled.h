@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Precompiled.h
- * What many files of Core and Private include, compiled once for all of them. Every file includes
- * what it needs all the same: `./dev bench` builds without precompiled headers.
+ * Headers that many files of Core and Private include, compiled once for all of them. Every file
+ * includes what it needs all the same: `./dev bench` builds without precompiled headers.
  */
 #ifndef SubdivisionObjects_Precompiled_h
 #define SubdivisionObjects_Precompiled_h

@@ -52,8 +52,8 @@ inline vtkSmartPointer<vtkUnsignedCharArray> GetCellTypes(vtkUnstructuredGrid* g
 }
 
 /// The faces of a polyhedron: their number, then the number of points and the points of each.
-/// GetFaceStream does not check what it reads. Returns false, with an empty list, where locations
-/// or counts lead out of the arrays, for instance those of a damaged file.
+/// GetFaceStream does not check its arrays. Returns false, with an empty list, where locations or
+/// counts lead out of the arrays, for instance in a damaged file.
 inline bool ReadFaceStream(vtkUnstructuredGrid* grid, vtkIdType cell, vtkIdList* stream)
 {
   stream->Reset();

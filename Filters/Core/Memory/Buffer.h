@@ -187,8 +187,8 @@ void CountsToOffsets(Buffer<Id>& offsets)
   offsets[rows] = static_cast<Id>(total);
 }
 
-/// Lists items by their row: row r has item(i) for those i of [0, size), in ascending order, whose
-/// row(i) is r.
+/// Lists items by their row: row r has item(i) for all i of [0, size) with row(i) == r, in
+/// ascending order.
 template <typename Id, typename RowOf, typename Item>
 Rows<Id> ListByRow(vtkIdType rows, vtkIdType size, const RowOf& row, const Item& item)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CellSplits.h
- * Levels of which only some cells are made, with what these depend on.
+ * Levels of which only some cells are made, with the cells on which these depend.
  */
 #ifndef SubdivisionObjects_CellSplits_h
 #define SubdivisionObjects_CellSplits_h
@@ -15,14 +15,14 @@ namespace subdivision
 struct CellSplits
 {
   /// Which cells of levels 1, 2, ... go on, in the order of the output: one flag for each child of
-  /// those that went on before, at first of all.
+  /// the cells that went on before, at first of all cells.
   std::vector<std::vector<char>> Flags;
-  /// What a run says: of each cell of the last of these levels that its output has children of,
-  /// whether it goes on. Empty: the run took no notice, and its output is the whole.
+  /// The answer of a run: whether a cell of the last of these levels goes on, for each one whose
+  /// children are in the output. Empty: the run took no notice, and its output is the whole.
   std::vector<char> Made;
 
-  /// Of the cells of a level, where `goesOn` has those whose parent goes on, leaves those that do.
-  /// Flags may begin with cells that are not in that list.
+  /// `goesOn` has a flag for each cell of a level whose parent goes on; leaves the flags of cells
+  /// that go on. Flags may begin with cells that are not listed.
   void Leave(int level, std::vector<char>& goesOn) const
   {
     auto flag = this->Flags[level - 1].end() -

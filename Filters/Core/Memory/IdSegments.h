@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file IdSegments.h
- * The order in which a level numbers its vertices, or other parts, told by what they come from on
- * the control level.
+ * The order in which a level numbers its vertices, or other parts, told by their origins on the
+ * control level.
  */
 #ifndef SubdivisionObjects_IdSegments_h
 #define SubdivisionObjects_IdSegments_h
@@ -15,8 +15,8 @@
 namespace subdivision
 {
 
-/// Consecutive ids: first those of what the first control thing of a kind becomes, then those of
-/// the second one, and so on.
+/// Consecutive ids: first the ids that come from the first control thing of a kind, then the ids
+/// from the second one, and so on.
 struct IdSegment
 {
   int Kind;
@@ -47,9 +47,9 @@ inline void AppendChildren(const IdSegments& parents, vtkIdType ofEach, IdSegmen
   }
 }
 
-/// The same where numbers differ: before(i) is the number of children before those of the parent
-/// with id i, for the last id plus 1 that of all. `sizes`: how many control things there are of
-/// each kind.
+/// The same where numbers differ: before(i) is the number of children before the children of parent
+/// i; for the last id plus 1 it is the number of all children. `sizes`: how many control things
+/// there are of each kind.
 template <typename Before>
 void AppendVariedChildren(const IdSegments& parents, const std::vector<vtkIdType>& sizes,
   const Before& before, IdSegments& children)

@@ -17,10 +17,10 @@ namespace
 {
 
 thread_local BetweenLoops* Current = nullptr;
-thread_local int DepthOfLoops = 0; ///< of those that several threads run
+thread_local int DepthOfLoops = 0; ///< of loops that several threads run
 
-/// A body whose first exception goes on in the thread that began the loop: in another one, such as
-/// where memory ends, it would end the program. Ranges after it are left out.
+/// A body whose first exception goes on in the thread that began the loop: in another thread it
+/// would end the program, for instance where memory ends. Ranges after it are left out.
 class CaughtBody
 {
 public:
@@ -101,9 +101,9 @@ vtkIdType RunForAWhile(vtkIdType begin, vtkIdType end, vtkIdType atATime, Caught
 constexpr double SecondsOfParts = 0.02;
 
 /// Runs the body in threads for parts of [begin, size), the first of which has `first` elements.
-/// The next ones are as large as takes SecondsOfParts, by the time of the part before, and end
-/// where they take far longer: memory that the system hands out for the first time may be written a
-/// hundred times as slowly as that before. Threads take `least` elements at a time, or more.
+/// The next ones should take SecondsOfParts, by the time of the part before. A part that takes far
+/// longer ends early: new memory of the system may be written a hundred times as slowly as the
+/// memory before. Threads take `least` elements at a time, or more.
 void RunInParts(
   vtkIdType begin, vtkIdType size, vtkIdType first, vtkIdType least, const RangeBody& body)
 {
@@ -129,9 +129,9 @@ void RunInParts(
 }
 
 /// Runs the body in this thread for the first elements, a few more each time, until the rest would
-/// take longer than threads take to start, some 0.06 ms for each start: most loops over a level of
-/// some 10,000 elements end before. Returns how many elements that were, and sets the time of one,
-/// by the last of them: the first ones may wait for memory.
+/// take longer than a start of threads (some 0.06 ms). Most loops over a level of some 10,000
+/// elements end before. Returns how many elements that were, and sets the time of one, by the last
+/// of them: the first ones may wait for memory.
 vtkIdType RunAlone(vtkIdType size, const RangeBody& body, double& secondsOfOne)
 {
   constexpr double worthThreads = 2e-4;

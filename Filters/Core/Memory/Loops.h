@@ -140,7 +140,7 @@ struct CountingIterator
 
 /// `for (vtkIdType i : InTurn(size))` counts to size - 1, and `for (Id x : InTurn(list))` visits
 /// the items of a list, as loops of the language do, but they act after many turns. For loops that
-/// ForEachInTurn does not fit, such as those that end early.
+/// ForEachInTurn does not fit, such as loops that end early.
 template <typename Number, std::enable_if_t<std::is_integral<Number>::value, bool> = true>
 ItemsInTurn<CountingIterator<Number>> InTurn(Number size)
 {

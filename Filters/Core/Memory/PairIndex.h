@@ -17,8 +17,8 @@
 namespace subdivision
 {
 
-/// The second number of a pair, and which pair it is. Entries are in the order of the number, equal
-/// ones in that of the pairs. With small ids both are one number, so that one comparison tells it.
+/// The second number of a pair, and which pair it is. Entries ascend by number, and by pair where
+/// numbers are equal. With small ids both are one number, so that one comparison tells.
 template <typename Id>
 class PairEntry
 {

@@ -11,7 +11,7 @@
 namespace subdivision
 {
 
-/// Numbers of pairs: first those that occur among leading pairs, in the order of their first
+/// Numbers of pairs: first the pairs that occur among leading ones, in the order of their first
 /// occurrence; then all others in ascending order.
 template <typename Id>
 struct PairNumbers

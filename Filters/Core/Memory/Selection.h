@@ -14,7 +14,7 @@ namespace subdivision
 template <typename Id>
 struct Selection
 {
-  Buffer<Id> New; ///< of each item of the list, -1 for those that are not selected
+  Buffer<Id> New; ///< of each item of the list, -1 for items that are not selected
   Buffer<Id> Old; ///< of each selected item
 
   Selection() = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SimplexStarts.h
- * Where what belongs to each simplex of a list begins in another list. Most lists have simplices of
+ * Where the entries of each simplex of a list begin in another list. Most lists have simplices of
  * one dimension only: then that is a product, and nothing is stored. (SimplexPlaces of the
  * red-green forest is for corners alone, and stores less for mixed lists, but adds up dimensions.)
  */
@@ -59,14 +59,14 @@ public:
       CountsToOffsets(this->Firsts);
     }
   }
-  /// The place where a simplex begins; that of the one after the last is the length of the list.
+  /// Where a simplex begins; for the number after the last one, the length of the list.
   vtkIdType operator[](vtkIdType simplex) const
   {
     return this->Firsts.empty() ? simplex * this->OfEach : this->Firsts[simplex];
   }
   vtkIdType GetNumberOfSimplices() const { return this->Size; }
   vtkIdType GetLength() const { return (*this)[this->Size]; }
-  /// The simplex that a place belongs to.
+  /// The simplex that a position belongs to.
   vtkIdType Find(vtkIdType place) const
   {
     return this->Firsts.empty()

@@ -17,8 +17,8 @@
 namespace subdivision
 {
 
-/// What std::stable_sort does, with a std::vector or a Buffer. Threads sort blocks and then merge
-/// pairs of them, so that the result does not depend on their number. Needs as much memory again.
+/// As std::stable_sort, for a std::vector or a Buffer. Threads sort blocks and then merge pairs of
+/// them, so that the result does not depend on their number. Needs as much memory again.
 template <typename List, typename Less>
 void StableSort(List& values, const Less& less)
 {
@@ -52,7 +52,7 @@ void StableSort(List& values, const Less& less)
   }
 }
 
-/// Sorts values, and keeps one of those that are equal.
+/// Sorts values, and keeps one of several equal ones.
 template <typename T>
 void SortDistinct(std::vector<T>& values)
 {
@@ -60,7 +60,7 @@ void SortDistinct(std::vector<T>& values)
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// Sorts the numbers of [0, size) by key(i), which is less than `keys` <= 65536; those with equal
+/// Sorts the numbers of [0, size) by key(i), which is less than `keys` <= 65536; numbers with equal
 /// keys stay in ascending order. Key k has order[starts[k] .. starts[k + 1]).
 template <typename Key>
 void SortByKey(int size, int keys, const Key& key, Buffer<int>& order, std::vector<int>& starts)

@@ -14,8 +14,8 @@
 namespace subdivision
 {
 
-/// Integers are rounded and stay in range, and are 0 for what is not a number; a finite number
-/// never becomes infinite.
+/// Integers are rounded and stay in range, and are 0 where the value is not a number; a finite
+/// number never becomes infinite.
 template <typename T>
 T Store(double value)
 {

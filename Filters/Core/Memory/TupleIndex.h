@@ -62,7 +62,7 @@ bool AreAscending(const Buffer<std::array<Id, N>>& tuples)
 }
 
 /**
- * Numbers the distinct tuples: first those that occur among the first `leading` tuples, in the
+ * Numbers the distinct tuples: first the tuples that occur among the first `leading` ones, in the
  * order of their first occurrence; then all others in lexicographic order. Tuples are grouped by
  * their smallest vertex. Threads sort the groups, and the result does not depend on their number.
  */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Appliers.h
- * Finds what applies blocks to values of given types, for ApplyRows.cxx.
+ * Finds the function that applies blocks to values of given types, for ApplyRows.cxx.
  *
  * `Blocks` is a struct with
  *  - View: the blocks;
@@ -71,7 +71,7 @@ Applier<Blocks> FindApplier(const MovedArray& array)
   throw std::invalid_argument("operators do not know this type of values");
 }
 
-/// Those of several arrays.
+/// The appliers of several arrays.
 template <typename Blocks>
 class Appliers
 {

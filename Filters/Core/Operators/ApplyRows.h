@@ -24,10 +24,10 @@ struct MovedArray
   int OutType;
   int Components;
   /// Number of values of In, each of `Components` numbers: at least one for each column, but rows
-  /// of a part of a mesh may read those of more points. 0: it is not known.
+  /// of a part of a mesh may read values of more points. 0: it is not known.
   vtkIdType Tuples = 0;
-  /// What keeps In, if nobody else does. It is let go as soon as its values are not needed, which
-  /// may be before those of Out take memory.
+  /// The owner of In, if nobody else keeps it. It is let go as soon as its values are not needed,
+  /// which may be before the values of Out take memory.
   std::shared_ptr<const void> Owner = nullptr;
 };
 
@@ -41,7 +41,7 @@ void ApplyToArrays(const PointOperator& operation, std::vector<MovedArray> array
   const PointOperator::User& also = PointOperator::User());
 
 /// The same for operators one after the other, that have neither chains nor values between:
-/// `packed` was told to start with these arrays, and has what stays side by side.
+/// `packed` was told to start with these arrays, and has the values that stay side by side.
 void ApplyToArrays(const PointOperator& operation, PackedArrays& packed,
   std::vector<MovedArray> arrays, const PointOperator::User& also = PointOperator::User());
 

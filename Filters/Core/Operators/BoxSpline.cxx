@@ -14,9 +14,9 @@ using OfPoints = std::array<double, MostPatchPowers>;
 constexpr int FirstBeyond = 3;
 constexpr int FirstNext = 6;
 
-/// Sets the weights of the corners, from those of all other points, which are divided by 12 here.
-/// The spline reproduces linear functions: the sum of the control points, with the coordinates that
-/// `linear` belongs to, is `linear`.
+/// Sets the weights of the corners, from the weights of all other points, which are divided by 12
+/// here. The spline reproduces linear functions: the sum of the control points, with the
+/// coordinates that `linear` belongs to, is `linear`.
 void SetCorners(const OfCorners& linear, OfPoints& points)
 {
   for (int i = FirstBeyond; i < BoxSplinePoints; ++i)
@@ -35,8 +35,8 @@ void SetCorners(const OfCorners& linear, OfPoints& points)
   }
 }
 
-/// What all parts are made of, for the two corners of each edge: their sum and their product, and
-/// derivatives of the weight of the point beyond by these, times 12.
+/// The terms of all parts, for the two corners of each edge: their sum and their product, and
+/// derivatives of the weight of the point beyond by these two, times 12.
 struct TriangleTerms
 {
   explicit TriangleTerms(const OfCorners& at)

@@ -17,14 +17,14 @@ namespace subdivision
 constexpr int BoxSplinePoints = 12;
 constexpr int BicubicPoints = 16;
 
-/// Sets those of PlaceParts that are wanted. Control points: the three corners; the points beyond
-/// edges k, which begin at corner k; then for each corner k the point next to that beyond edge k,
-/// and the one next to that beyond the edge before. u and v are the weights of the second and the
+/// Sets the wanted parts of PlaceParts. Control points: the three corners; the points beyond edges
+/// k, which begin at corner k; then for each corner k the neighbour of the point beyond edge k, and
+/// the neighbour of the point beyond the edge before. u and v are the weights of the second and the
 /// third corner.
 void WeightBoxSpline(double u, double v, const PatchDirections& directions,
   PlaceDerivatives derivatives, PatchParts& parts);
 
-/// The same for 4 x 4 control points, those with the first v first; the quad is between the second
+/// The same for 4 x 4 control points, row by row, the first v first; the quad is between the second
 /// and the third ones.
 void WeightBicubic(double u, double v, const PatchDirections& directions,
   PlaceDerivatives derivatives, PatchParts& parts);

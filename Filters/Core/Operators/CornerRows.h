@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// The weights of all corners of a simplex: the first has what the others leave.
+/// The weights of all corners of a simplex: the first one is 1 minus the others.
 inline std::array<double, 4> CompleteWeights(const double others[3])
 {
   return { 1. - others[0] - others[1] - others[2], others[0], others[1], others[2] };

@@ -18,11 +18,11 @@ using Ordering = Eigen::COLAMDOrdering<int>;
 
 constexpr double Shift = 1e-12;
 constexpr double MostOperations = 1e11; ///< some 30 s, in which nothing can be stopped
-/// Of both factors, for each entry that one has; what grows is copied.
+/// Bytes of both factors for each entry of one; arrays that grow are copied.
 constexpr double BytesOfEntry = 64.;
 
-/// Whether the factors fit. Without pivots they have the entries of those of the symmetric pattern,
-/// which are counted along the paths of the elimination tree.
+/// Whether the factors fit. Without pivots they have the entries of the factors of the symmetric
+/// pattern, which are counted along the paths of the elimination tree.
 bool Fits(const Matrix& matrix, double mostBytes)
 {
   Ordering::PermutationType order;

@@ -28,9 +28,9 @@ public:
    * taken.
    */
   bool Factorise(vtkIdType size, const std::vector<double>& rows, double mostBytes);
-  /// Sets a right side to the solution, but for a part of 1e-12, which refinement takes away: so
-  /// much is added to the diagonal, that singular matrices have factors too. Serial, so that bits
-  /// do not depend on threads.
+  /// Sets a right side to the solution, but for a fraction of 1e-12, which refinement takes away:
+  /// so much is added to the diagonal, that singular matrices have factors too. Serial, so that
+  /// bits do not depend on threads.
   void Solve(std::vector<double>& values) const;
 
 private:

@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// The largest rounding error of a limit, as a part of the largest value: rows are means.
+/// The largest rounding error of a limit, as a fraction of the largest value: rows are means.
 constexpr double LimitUnit = 32. * DoubleUnit;
 
 /// The iteration for all groups together. Each of them ends by itself, when the others do not
@@ -72,8 +72,8 @@ public:
     }
   }
 
-  /// Solves for the columns of groups that did not converge. If these do not now either, their
-  /// shifts are those of the iteration, or none, whatever is nearer.
+  /// Solves for the columns of groups that did not converge. Where this fails too, their shifts
+  /// come from the iteration, or are none, whatever is nearer.
   void SolveDirectly()
   {
     Buffer<double> shifts(this->Steps.size());
@@ -190,8 +190,8 @@ private:
     return largest;
   }
 
-  /// Finds the ranges, and the error that each value may have: a part of that of its material,
-  /// which is the largest of its components.
+  /// Finds the ranges, and the error that each value may have: a fraction of the range of its
+  /// material, the largest of its components.
   void FindRanges()
   {
     const auto place = [&](vtkIdType i) { return this->GetSlot(i); };
@@ -239,8 +239,8 @@ private:
     return errors;
   }
 
-  /// Ends groups that have converged, and those that may have no more products. Returns whether
-  /// there are others.
+  /// Ends groups that have converged, and groups that may have no more products. Returns whether
+  /// others are left.
   bool GoOn(int products)
   {
     const std::vector<double> errors = this->FindErrors();
@@ -273,7 +273,7 @@ private:
     this->Subtract();
   }
 
-  /// Sets the residuals to those without shifts.
+  /// Sets the residuals for shifts that are 0.
   void Start()
   {
     this->Multiply(this->Given);
@@ -281,7 +281,7 @@ private:
       { this->Residuals[i] = this->HasValue(i) ? this->Given[i] - this->Products[i] : 0.; });
   }
 
-  /// Sets the residuals to those after the steps.
+  /// Sets the residuals after the steps.
   void Subtract()
   {
     this->Multiply(this->Steps.data());
@@ -301,7 +301,7 @@ private:
     return this->HasValue(i) && std::isfinite(this->Residuals[i]);
   }
 
-  /// Makes the factors for a column, unless they are those of the one before in all parts.
+  /// Makes the factors for a column, unless the column before has the same ones in all parts.
   void Factorise(
     int column, const MatrixFactors::Matrix& matrix, const WholeSystem& whole, Direct& direct) const
   {

@@ -6,9 +6,9 @@
  *
  * The solver is Chebyshev iteration. It multiplies by L and knows two bounds of its eigenvalues. It
  * needs no inner products, so that the bits of the result depend neither on the number of threads
- * nor on what else is solved for. Rows of L are means, so that no eigenvalue exceeds 1. The lower
- * bound is a guess: with smaller eigenvalues, as long as they are positive, the iteration converges
- * more slowly. Columns for which it is too slow are solved for directly (DirectSolver.h), if L has
+ * nor on other columns. Rows of L are means, so that no eigenvalue exceeds 1. The lower bound is a
+ * guess: with smaller eigenvalues, as long as they are positive, the iteration converges more
+ * slowly. Columns for which it is too slow are solved for directly (DirectSolver.h), if L has
  * factors that fit into memory.
  */
 #ifndef SubdivisionObjects_Interpolation_h
@@ -24,14 +24,14 @@
 namespace subdivision
 {
 
-/// What the solver expects of the limits of triangles and tetrahedra, after measurements
+/// The smallest eigenvalue that the solver expects on triangles and tetrahedra, from measurements
 /// (Mathematics 8): Loop's weights move vertices of four triangles farther.
 constexpr double GetLeastEigenvalue(LoopWeights weights)
 {
   return weights == LoopWeights::Loop ? 1. / 8. : 1. / 6.;
 }
 
-/// The rows of all parts of a mesh as those of one matrix, which one part solves with.
+/// The rows of all parts of a mesh as rows of one matrix, with which one part solves.
 struct WholeSystem
 {
   /// Where there is one part.
@@ -46,22 +46,22 @@ struct WholeSystem
   vtkIdType Size;
   std::vector<vtkIdType> Numbers; ///< of the rows here; -1 where no part has the row
   std::vector<char> AreOwn;       ///< which rows are right here
-  /// Replaces numbers by those of all parts one after the other, in the part that solves. Returns
-  /// whether this one does.
+  /// Replaces numbers by the numbers of all parts one after the other, in the part that solves.
+  /// Returns whether this one does.
   std::function<bool(std::vector<double>&)> ToSolver = [](std::vector<double>&) { return true; };
-  /// Replaces numbers by those of the part that solves.
+  /// Replaces numbers by the numbers of the part that solves.
   std::function<void(std::vector<double>&)> FromSolver = [](std::vector<double>&) {};
 };
 
 struct InterpolationLimits
 {
   double LeastEigenvalue = 0.125; ///< set after measurements: Mathematics 8
-  /// The error that a group may have, as a part of its range. It is never below the rounding of its
-  /// values.
+  /// The error that a group may have, as a fraction of its range. It is never below the rounding of
+  /// its values.
   double Tolerance = 1e-10;
   int MostProducts = 40;
-  /// Sets values in rows that this part of a mesh does not have right to those that other parts
-  /// have; empty where it has all.
+  /// Sets values in rows that this part of a mesh does not have right to the values of other parts;
+  /// empty where it has all rows.
   std::function<void(double* values, int components)> TakeOthers;
   /// Sets each value to the largest of all parts; empty where there is one part.
   std::function<void(std::vector<double>& values)> FindLargest;
@@ -72,22 +72,22 @@ struct InterpolationLimits
 };
 
 /**
- * Columns with a common range and error: the components of an array, or those of several fields,
- * each of which has values in some rows only, and zeros elsewhere.
+ * Columns with a common range and error: the components of an array, or of several fields, each of
+ * which has values in some rows only, and zeros elsewhere.
  */
 struct InterpolationGroup
 {
   int Components;
-  int Fields = 1; ///< the columns are those of the first field, then those of the next one
-  /// What the limits of each field are multiplied by in each row, to be means of values of the
-  /// field; 0 where it has none. Null: all are 1.
+  int Fields = 1; ///< first the columns of the first field, then of the next one
+  /// Factors of the limits of each field in each row, which turn them into means of values of the
+  /// field; 0 where it has no value. Null: all are 1.
   const double* Factors = nullptr;
   /// The material of each field in each row, from 0 to NumberOfMaterials - 1: each has a range of
   /// its own. Null: all are one.
   const int* Materials = nullptr;
   int NumberOfMaterials = 1;
   int Products = 0;  ///< of L, until the error was small enough
-  double Error = 0.; ///< the largest distance of a limit from its value, as a part of the range
+  double Error = 0.; ///< the largest distance of a limit from its value, as a fraction of the range
   bool HasConverged = false;
   bool IsTooLarge = false;        ///< to be solved for directly
   std::vector<double> Range = {}; ///< the least and the largest value of each component
@@ -96,7 +96,7 @@ struct InterpolationGroup
 /**
  * Finds the shifts c - d. `given` has the columns of all groups, interleaved. A value that is not
  * finite, or whose limit would not be, is not shifted, and all others are solved for without it. A
- * group that neither converges nor has a direct solution gets those of the iteration, or none.
+ * group that neither converges nor has a direct solution gets the shifts of the iteration, or none.
  */
 void FindInterpolation(const PointOperator& limit, const double* given,
   std::vector<InterpolationGroup>& groups, const InterpolationLimits& limits, double* shifts);

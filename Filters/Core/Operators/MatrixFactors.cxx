@@ -320,7 +320,7 @@ private:
   const vtkIdType NumberOfColumns;
   Buffer<long long> Entries;        ///< of each row; counts, then offsets
   Buffer<long long> Sums;           ///< the same of the sums that each row has
-  Buffer<unsigned char> IsWeighted; ///< whether a row of weights replaces that of a ring
+  Buffer<unsigned char> IsWeighted; ///< whether a row of weights replaces the row of a ring
   Matrix First;
   Matrix Rows;
 };

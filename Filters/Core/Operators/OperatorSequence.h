@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OperatorSequence.h
- * Operators that are applied one after the other, such as those of all steps of a subdivision. Who
- * keeps them need not know how they are stored.
+ * Operators that are applied one after the other, such as the operators of all steps. Who keeps
+ * them need not know how they are stored.
  */
 #ifndef SubdivisionObjects_OperatorSequence_h
 #define SubdivisionObjects_OperatorSequence_h
@@ -22,7 +22,7 @@ public:
   /// Applies the operators to `components` numbers for each column of the first one. The memory of
   /// an earlier `result` is reused, because clearing new pages takes time.
   virtual void Apply(const double* values, int components, Buffer<double>& result) const = 0;
-  /// Turns rows over the values after the last operator into rows over those before the first.
+  /// Turns rows over the values after the last operator into rows over the values before the first.
   virtual SparseRows<int> ComposeWith(const SparseRows<int>& rows) const = 0;
   virtual std::size_t GetMemorySize() const = 0;
 };

@@ -225,7 +225,7 @@ void PackedArrays::Fill(Pack& pack)
     });
 }
 
-/// Stores sums as values of rows `numbers`, or of those from `first` on.
+/// Stores sums as values of rows `numbers`, or of rows from `first` on.
 template <typename Id>
 void PackedArrays::Store(
   const Pack& pack, const double* sums, vtkIdType first, const Id* numbers, vtkIdType count)

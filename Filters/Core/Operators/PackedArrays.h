@@ -3,7 +3,7 @@
  * @file PackedArrays.h
  * Moves several arrays as one. The values that points and other arrays have at a column lie side by
  * side, in double, so that a row reads each of its columns once, and compilers add several values
- * at a time. Sums have the same terms in the same order as those of single arrays.
+ * at a time. Sums have the same terms in the same order as sums of single arrays.
  */
 #ifndef SubdivisionObjects_PackedArrays_h
 #define SubdivisionObjects_PackedArrays_h
@@ -20,13 +20,13 @@ namespace subdivision
 class PackedArrays
 {
 public:
-  /// Takes those of `arrays` that an operator of `rows` rows moves together, copies their values
-  /// and lets go of them: their In becomes null. It takes none where that costs more than it saves:
-  /// if the operator does not make many rows of few columns. If it has some from the operator
-  /// before, it keeps these, and takes no others.
+  /// Takes the arrays that an operator of `rows` rows moves together, copies their values and lets
+  /// go of them: their In becomes null. It takes none where that costs more than it saves: if the
+  /// operator does not make many rows of few columns. If it has some from the operator before, it
+  /// keeps these, and takes no others.
   void Take(std::vector<MovedArray>& arrays, vtkIdType rows);
   bool IsEmpty() const { return this->Packs.empty(); }
-  /// Whether it has the array of this place in the list.
+  /// Whether it has the array at this position of the list.
   bool Has(std::size_t place) const;
 
   /// Results of an operator go to Out of these arrays, the same list, or stay here.

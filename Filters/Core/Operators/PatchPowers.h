@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// Which powers there are: those without v first, then those with v, ...
+/// Which powers there are: first powers of u alone, then their products with v, ...
 enum class PatchPowers : unsigned char
 {
   Quartic, ///< i + j <= 4: over triangles and lines
@@ -40,7 +40,7 @@ constexpr int NumberPower(PatchPowers kind, int i, int j)
 /// One factor for each power.
 using PatchPolynomial = std::array<double, MostPatchPowers>;
 
-/// Multiplies by a + b u + c v. What exceeds the highest powers is left out.
+/// Multiplies by a + b u + c v. Terms beyond the highest powers are left out.
 PatchPolynomial MultiplyByLinear(
   PatchPowers kind, const PatchPolynomial& polynomial, double a, double b, double c);
 

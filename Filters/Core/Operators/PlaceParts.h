@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceParts.h
- * What is known of the limit at a place of a cell: its value and derivatives.
+ * The rows of the limit at a place of a cell: its value and derivatives.
  */
 #ifndef SubdivisionObjects_PlaceParts_h
 #define SubdivisionObjects_PlaceParts_h
@@ -15,8 +15,8 @@
 namespace subdivision
 {
 
-/// What there is a row of for each place: the value, its derivatives by the parameters, and the
-/// second derivatives by the first two of them.
+/// The rows of each place: the value, its derivatives by the parameters, and the second derivatives
+/// by the first two parameters.
 struct PlaceParts
 {
   enum : int

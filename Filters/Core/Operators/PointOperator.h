@@ -5,9 +5,9 @@
  * block to all arrays.
  *
  * A block is a view of consecutive rows. It points into the operator, or into memory of the thread
- * that made it. There are four kinds: rows that copy, rows of four entries, rows with a weight for
- * each entry, and rows that are stored as rules and rings. In the last kind the values of a ring
- * are summed before they are weighted, which takes fewer multiplications and no memory for weights.
+ * that made it. Rows copy, have four entries, a weight for each entry, or equal weights, also by
+ * quads, or are stored as rules and rings. In the last kind the values of a ring are summed before
+ * they are weighted, which takes fewer multiplications and no memory for weights.
  */
 #ifndef SubdivisionObjects_PointOperator_h
 #define SubdivisionObjects_PointOperator_h
@@ -32,8 +32,8 @@ struct CopiedRows
   vtkIdType FirstColumn;
 };
 
-/// Four entries. Weights beyond the last corner of a simplex are 0, their columns those of another
-/// corner.
+/// Four entries. Weights beyond the last corner of a simplex are 0, and repeat the column of
+/// another corner.
 struct CornerRow
 {
   double Weights[4] = { 0., 0., 0., 0. };
@@ -83,9 +83,8 @@ struct EqualRows
   const double* Weights;
 };
 
-/// The rows of the corners of quads, with the same weights in all of them: of each four rows, row k
-/// has the four columns of the first one from the k-th on, in a circle. Count is a multiple of
-/// four.
+/// The rows of the corners of quads, with the same weights in all of them: row k of each four has
+/// the columns of the first one, begun at the k-th, in a circle. Count is a multiple of four.
 template <typename Id>
 struct QuadRows
 {
@@ -112,12 +111,12 @@ struct RingRows
   const Id* Members;
   /// If true, each row is the mean of six members, and Strata and Offsets are null.
   bool OfCentres = false;
-  /// For rows of vertices: the weights of those with d = 3 among the first NumberOfCounted rows are
-  /// in proportion to Counts, which has a number for each member.
+  /// For rows of vertices: where d = 3, the weights of the first NumberOfCounted rows are in
+  /// proportion to Counts, which has a number for each member.
   vtkIdType NumberOfCounted = 0;
   const Id* Counts = nullptr;
   const Id* Columns = nullptr; ///< of the vertices of rows; null: the numbers of the rows
-  vtkIdType RowsBefore = 0;    ///< what such a column exceeds the number of its row by
+  vtkIdType RowsBefore = 0;    ///< such a column minus the number of its row
 
   static constexpr int CentreSize = 6;
 
@@ -185,7 +184,7 @@ private:
   void ApplyTo(const void* in, int inType, void* out, int outType, int components) const;
 };
 
-/// An operator whose rows are stored as rules and rings, or made from those of another level.
+/// An operator whose rows are stored as rules and rings, or made from another level.
 template <typename Id>
 class RingOperator : public PointOperator
 {

@@ -16,8 +16,8 @@
 namespace subdivision
 {
 
-/// The masks of vertices, or those of edges, by rule and size of the ring. MaskType is Mask for
-/// rings of one section, and PartedMask for others.
+/// The masks of vertices, or of edges, by rule and size of the ring. MaskType is Mask for rings of
+/// one section, and PartedMask for others.
 template <typename MaskType>
 class MaskTable
 {
@@ -65,8 +65,8 @@ struct RingMasks
 {
   /// Masks of one section have tables of their own, because their rows are summed in fewer steps.
   std::variant<MaskTables<Mask>, MaskTables<PartedMask>> Tables;
-  /// Of a vertex with counts (RingRows): its own weight, and that of a member per count, before it
-  /// is divided by a third of the sum of all counts. Only PartedMasks come with counts.
+  /// Of a vertex with counts (RingRows): its own weight, and the weight of a member per count,
+  /// before it is divided by a third of the sum of all counts. Only PartedMasks come with counts.
   double CountedOwn = 0.;
   double CountedOther = 0.;
 };

@@ -123,7 +123,7 @@ void SumCounted(
   }
 }
 
-/// The values of a row besides its ring: those of a vertex, or of both ends of an edge.
+/// The values of a row besides its ring: of the vertex, or of both ends of the edge.
 template <bool OfEdges, typename In>
 struct OwnValues
 {
@@ -246,8 +246,8 @@ void SumRings(
   }
 }
 
-/// The same for rings of several sections. Those of a regular vertex or edge, most by farSize, have
-/// loops of known length.
+/// The same for rings of several sections. Regular vertices and edges, most by farSize, have loops
+/// of known length.
 template <int N, bool OfEdges, typename Id, typename In, typename Out>
 void SumRings(const RingRows<Id>& rows, const MaskTable<PartedMask>& masks, const In* in, Out* out,
   int components)

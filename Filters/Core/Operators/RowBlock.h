@@ -132,7 +132,7 @@ public:
     return this->Weights.data();
   }
 
-  /// The rows as those from row `first` on of an operator.
+  /// The rows as rows of an operator, from row `first` on.
   WeightedRows<Id> GetRows(vtkIdType first) const
   {
     this->WriteAll();
@@ -194,7 +194,7 @@ private:
     const double* Weights;
     bool OfQuads; ///< of each four rows only the first has its columns before Write
   };
-  /// Writes the weights, and columns of quads, of those rows of a run that are not before `begin`.
+  /// Writes the weights, and columns of quads, of the rows of a run from `begin` on.
   void Write(const Run& run, std::size_t begin) const
   {
     for (std::size_t row = std::max(begin, run.Begin); row < run.End; ++row)
@@ -222,7 +222,7 @@ private:
   }
 
   std::vector<Run> Runs;
-  /// What Write makes of long runs is not there before somebody asks for it: sums do not need it.
+  /// Columns and weights of long runs: Write makes them when somebody asks. Sums do not need them.
   mutable std::vector<Id> Columns;
   mutable std::vector<double> Weights;
   mutable std::size_t Written = 0; ///< how many rows have all of them

@@ -14,7 +14,7 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-/// What is shorter than this part of its terms has cancelled.
+/// A sum shorter than this fraction of its terms has cancelled.
 constexpr double Cancelled = 1e-6;
 
 double Length(const double a[3])

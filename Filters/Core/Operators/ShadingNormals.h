@@ -7,11 +7,11 @@
  * They follow from the *star* of a point: the directions in which its neighbours lie after so many
  * more steps that only the limit counts. A point at faces gets the mean of the normals of their
  * corners, weighted by angle, or, where these cancel, the sum of the areas beside it, or else the
- * normal of the largest one. A point with lines only gets a direction perpendicular to them: to the
- * chord of their other ends if there are two, so that a curve has the normal of its tangent, else
- * to the longest one. A point without faces and lines gets the z axis. Where several directions are
- * as good, the choice depends on coordinates and never on numbers of points or on the order of
- * calls.
+ * normal of the largest one. A point with lines only gets a direction perpendicular to them. Two
+ * lines count as the chord of their other ends, so that a curve has the normal of its tangent; else
+ * the longest line counts. A point without faces and lines gets the z axis. Where several
+ * directions are as good, the choice depends on coordinates and never on numbers of points or on
+ * the order of calls.
  */
 #ifndef SubdivisionObjects_ShadingNormals_h
 #define SubdivisionObjects_ShadingNormals_h
@@ -27,13 +27,13 @@ namespace subdivision
 /// to which it is least parallel; the z axis for a vector without length or direction.
 void FindPerpendicular(const double vector[3], double normal[3]);
 
-/// What lies around one point, as vectors from there.
+/// The corners around one point, as vectors from there.
 class ShadingStar
 {
 public:
   void Clear();
   /// Adds the corner of a face between its sides to `a` and `b`; `middle`: the face's. A `sign` of
-  /// -1 reverses the normal, which is else that of a x b.
+  /// -1 reverses the normal, which else has the direction of a x b.
   void AddCorner(const double a[3], const double b[3], const double middle[3], double sign);
   /// Adds a line to `end`.
   void AddLine(const double end[3]);

@@ -47,7 +47,7 @@ public:
   const Id* begin() const { return this->Vertices.data(); }
   const Id* end() const { return this->begin() + this->Size; }
 
-  /// Sets a weight for each column, in those of PlaceParts that are wanted.
+  /// Sets a weight for each column, in the wanted parts of PlaceParts.
   void Weight(double u, double v, const PatchDirections& directions, const PlaceSums& weights) const
   {
     const PlaceDerivatives derivatives =

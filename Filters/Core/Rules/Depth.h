@@ -16,7 +16,7 @@ enum class Depth
   ForRefinement,
   /// Surfaces only, for the last level but one: everything that the last step reads.
   ForLastStep,
-  /// Only what moves points and writes cells: no faces but the triangle cells, no incidences.
+  /// Only operators and cells of the output: no faces but the triangle cells, no incidences.
   ForOutput,
   /// Surfaces only: counts, but no faces. SurfaceSteps writes the faces straight into the output.
   ForCounts,

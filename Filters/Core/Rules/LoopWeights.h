@@ -13,7 +13,7 @@ namespace subdivision
 enum class LoopWeights : unsigned char
 {
   Warren, ///< eq. 16
-  Loop    ///< those of Loop's thesis, which other libraries have
+  Loop    ///< the weights of Loop's thesis, which other libraries have
 };
 
 }

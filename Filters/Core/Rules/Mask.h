@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Mask.h
- * The weights of one row. Masks.h has those of the rules.
+ * The weights of one row. Masks.h has the weights of the rules.
  */
 #ifndef SubdivisionObjects_Mask_h
 #define SubdivisionObjects_Mask_h

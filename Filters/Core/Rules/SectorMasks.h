@@ -45,9 +45,9 @@ inline double GetFlatness(double third)
   return third > 0.25 ? 1. - 0.25 / third : 0.;
 }
 
-/// Weights of the far ends of the first and the last edge of a sector of this angle, in the point
-/// of their plane towards which a new point moves that has the coordinates c and s in the
-/// characteristic map. The corner itself has the rest.
+/// A new point with the coordinates c and s in the characteristic map moves towards a point in the
+/// plane of the first and the last edge of its sector. Weights of the far ends of these edges in
+/// that point. The corner itself has the rest.
 struct FlatWeights
 {
   double First;
@@ -60,7 +60,7 @@ inline FlatWeights GetFlatWeights(double angle, double c, double s)
 }
 
 /// The tangent across a curve in a sector of k > 1 faces. Inner edge j has the weight sin(j pi /
-/// k), the face between edges j and j + 1 the weight Faces times the sum of those of its edges.
+/// k), the face between edges j and j + 1 the weight Faces times the sum of both.
 struct TransversalMask
 {
   double Own;

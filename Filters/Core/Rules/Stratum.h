@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Stratum.h
- * What a vertex or an edge of a solid follows, in one byte.
+ * The stratum of a vertex or an edge of a solid, in one byte.
  */
 #ifndef SubdivisionObjects_Stratum_h
 #define SubdivisionObjects_Stratum_h

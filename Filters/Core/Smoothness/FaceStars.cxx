@@ -50,8 +50,8 @@ std::vector<int> GetCorners(const PolygonMesh<int>& mesh, int face)
   return { corners, corners + mesh.GetSize(face) };
 }
 
-/// The vertices of the faces up to some edges away from that of a corner, in an order that starts
-/// there and that two meshes share which are alike.
+/// The vertices of the faces up to some edges away from the face of a corner. Their order starts
+/// there, and is the same in meshes that are alike.
 std::vector<int> Walk(const PolygonMesh<int>& mesh, int corner, int distance)
 {
   std::vector<int> vertices;
@@ -87,7 +87,7 @@ std::vector<int> Walk(const PolygonMesh<int>& mesh, int corner, int distance)
   return vertices;
 }
 
-/// What steps do around the face in the middle.
+/// Steps around the face in the middle.
 class FaceStar
 {
 public:
@@ -251,8 +251,8 @@ private:
     return isClosed;
   }
 
-  /// Where the map takes the vertices of the last level; what is not known is not a number. Empty
-  /// if there is none. `first` as in MakeMatrixAround.
+  /// Where the map takes the vertices of the last level; unknown places are no numbers. Empty if
+  /// there is no map. `first` as in MakeMatrixAround.
   std::vector<Place> FindMap(int first) const
   {
     LocalMatrix matrix;
@@ -358,7 +358,7 @@ private:
     {
       points.push_back({ { place[0], place[1], 0. } });
     }
-    // Two more, of no cell: the middle, and that of an edge.
+    // Two more points, of no cell: the middle, and the middle of an edge.
     const Place middle = FindCentre(map, corners);
     const Place ofEdge = FindCentre(map, { corners[0], corners[1] });
     points.push_back({ { middle[0], middle[1], 0. } });
@@ -419,7 +419,7 @@ private:
   const int Last; ///< level
   const StarMesh Mesh;
   const SurfaceStarLevels Made;
-  std::vector<std::vector<Place>> Points; ///< what steps make of the flat mesh
+  std::vector<std::vector<Place>> Points; ///< the flat mesh after each step
 };
 
 }

@@ -18,7 +18,7 @@ namespace
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using Complex = std::complex<double>;
 
-/// All eigenvalues, that with the largest modulus first.
+/// All eigenvalues, the largest modulus first.
 std::vector<Complex> FindEigenvalues(const Eigen::MatrixXd& matrix)
 {
   std::vector<Complex> found;

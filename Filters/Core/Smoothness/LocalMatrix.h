@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LocalMatrix.h
- * What a step does to a vertex and to what lies around it, as a small dense matrix, and its
- * eigenvalues.
+ * A step at a vertex and its neighbourhood as a small dense matrix, and its eigenvalues.
  */
 #ifndef SubdivisionObjects_LocalMatrix_h
 #define SubdivisionObjects_LocalMatrix_h
@@ -32,8 +31,8 @@ public:
   /// The moduli of the eigenvalues, the largest first. Empty if they were not found.
   std::vector<double> FindModuli() const;
 
-  /// A basis of the space of the eigenvalues 1 to `count`, where that with the largest modulus is
-  /// number 0: `count` numbers for each row. Empty if an eigenvalue of a complex pair would be
+  /// A basis of the space of the eigenvalues 1 to `count`, where the one with the largest modulus
+  /// is number 0: `count` numbers for each row. Empty if an eigenvalue of a complex pair would be
   /// missing.
   std::vector<double> FindLeading(int count) const;
 

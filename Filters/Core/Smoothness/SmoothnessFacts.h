@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmoothnessFacts.h
- * What is known of how smooth an object is at a place, and the conditions on eigenvalues.
+ * How smooth an object is at a place, as far as it is known, and the conditions on eigenvalues.
  */
 #ifndef SubdivisionObjects_SmoothnessFacts_h
 #define SubdivisionObjects_SmoothnessFacts_h

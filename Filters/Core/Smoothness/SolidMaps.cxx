@@ -77,7 +77,7 @@ int FindParity(const std::array<int, 4>& order)
   return sign;
 }
 
-/// For each tetrahedron 1 or -1: whether the order of its vertices is that of the first one.
+/// For each tetrahedron 1 or -1: whether it is oriented as the first one.
 /// Across a face the orders (face, apex) of two tetrahedra are opposite.
 std::vector<int> FindTurns(const std::vector<std::array<int, 4>>& tets)
 {
@@ -219,7 +219,7 @@ private:
       : this->MakeMatrix(static_cast<int>(this->Vertices.size())).Continue(this->Near, basis, 3);
   }
 
-  /// Where the star ends rules are not those of what is mapped: there nothing is known.
+  /// Where the star ends, its rules are not the rules of the mapped mesh: nothing is known there.
   std::vector<Point> TakeStepInside(const std::vector<Point>& points, std::size_t level) const
   {
     const std::vector<Place>& places = this->Finer[level];
@@ -318,7 +318,7 @@ private:
     return made;
   }
 
-  /// The middle on a level: the vertex, that in the middle of the edge, or one inside the face.
+  /// The middle on a level: the vertex, the middle of the edge, or a vertex inside the face.
   Place GetMiddle(int steps) const
   {
     Place middle(this->Places.front().size(), 0);
@@ -354,7 +354,7 @@ private:
     Scheme::WriteChildren(this->Current, runs, 1, static_cast<const double*>(nullptr), storage);
   }
 
-  /// The rows and columns of the matrix: the middle, what lies near it, and the rest of the star.
+  /// The rows and columns of the matrix: the middle, vertices near it, and the rest of the star.
   void Number()
   {
     std::map<Place, int> rows;
@@ -529,8 +529,8 @@ private:
   int Steps = 0; ///< of the level of the matrix
   Level Current;
   std::vector<Place> Places;             ///< of the vertices of that level
-  std::vector<Place> Children;           ///< of those of the next level, seen from the middle
-  std::vector<std::vector<Place>> Finer; ///< of those of all further levels
+  std::vector<Place> Children;           ///< of vertices of the next level, seen from the middle
+  std::vector<std::vector<Place>> Finer; ///< of the vertices of all further levels
   std::vector<Stencils<int>> Operators;  ///< to each of these
   std::vector<int> Cells;                ///< of the last of them
   std::vector<int> Columns;              ///< of each vertex of that level, -1: none

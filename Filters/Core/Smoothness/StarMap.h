@@ -25,7 +25,7 @@ struct StarMap
   std::vector<double> Rings; ///< of each point: how many rings it is away from the middle
   std::vector<int> Ends;     ///< of the corners of each cell
   std::vector<int> Corners;  ///< polygons, or tetrahedra of 4 each
-  /// Of each cell: its size, as multiple of what it has in the mesh that is mapped. Negative where
+  /// Of each cell: its size, as a multiple of its size in the mesh that is mapped. Negative where
   /// the map turns it over.
   std::vector<double> Jacobians;
 
@@ -52,10 +52,9 @@ public:
 
   /**
    * The map with the middle in the origin. Eigenvectors have no scale, and where eigenvalues are
-   * equal no direction: of all linear images the one is chosen whose points have equal moments in
-   * all directions, whose point `first` lies on the x axis, as far away as Rings says, and whose
-   * point `second` lies in the upper half of the x-y plane. Most of its cells have a positive
-   * Jacobian.
+   * equal no direction. So one of all linear images is chosen: its points have equal moments in all
+   * directions, point `first` lies on the x axis, as far away as Rings says, and point `second` in
+   * the upper half of the x-y plane. Most of its cells have a positive Jacobian.
    */
   StarMap Make(int middle, int first, int second) const;
 

@@ -13,9 +13,9 @@ namespace
 using Kind = SurfaceStar::Kind;
 using Place = StarMesh::Place;
 
-/// Where the vertices of all levels lie in the control mesh. New ones are in the middle of those
-/// that they come from, but steps that turn the mesh need care: after the second of them vertices
-/// have to lie on edges of the level before both, which the flat mesh bends where it is irregular.
+/// Where the vertices of all levels lie in the control mesh. New ones are in the middle of their
+/// parents, but steps that turn the mesh need care. After the second of them vertices lie on edges
+/// of the level before both, which the flat mesh bends where it is irregular.
 class PlaceFinder
 {
 public:

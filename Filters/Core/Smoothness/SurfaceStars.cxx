@@ -29,7 +29,7 @@ std::array<long long, 2> Round(const Place& place, double factor)
   return { { std::llround(place[0] * factor * 1e6), std::llround(place[1] * factor * 1e6) } };
 }
 
-/// What steps do around the vertex in the middle.
+/// Steps around the vertex in the middle.
 class VertexStar
 {
 public:
@@ -160,7 +160,7 @@ private:
     return star.IsAround() ? 2. * Pi : star.Faces == 1 ? 2. / 3. * Pi : Pi;
   }
 
-  /// Returns false if rows read what lies farther away.
+  /// Returns false if rows read vertices farther away.
   bool MakeMatrix(LocalMatrix& matrix) const
   {
     const int period = this->Repeats.Steps;

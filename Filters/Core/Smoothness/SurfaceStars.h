@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceStars.h
- * Spectra and characteristic maps of surface schemes, by what a scheme makes of a regular mesh
- * around one vertex.
+ * Spectra and characteristic maps of surface schemes, by steps of a scheme on a regular mesh around
+ * one vertex.
  */
 #ifndef SubdivisionObjects_SurfaceStars_h
 #define SubdivisionObjects_SurfaceStars_h
@@ -15,7 +15,7 @@
 namespace subdivision
 {
 
-/// What lies around a vertex, from one curve to the next. Of it alone the spectrum depends, once
+/// The surface around a vertex, from one curve to the next. The spectrum depends on it alone, once
 /// other irregular vertices are farther away than the scheme reads.
 struct SurfaceStar
 {
@@ -55,24 +55,24 @@ bool IsDual(SurfaceSchemeKind scheme);
 bool HasCentres(SurfaceSchemeKind scheme);
 
 /**
- * Eigenvalues of what one step does around the vertex, to all vertices up to three edges away; of
- * sqrt(3), 4-8 and midedge, whose steps turn the mesh, of two steps. In dual schemes, which have no
- * such vertex, those of the corners of one face: there the condition compares with 1/4 too, which
- * second derivatives around the face have.
+ * Eigenvalues of one step at the vertex and all vertices up to three edges away; of sqrt(3), 4-8
+ * and midedge, whose steps turn the mesh, of two steps. In dual schemes, which have no such vertex,
+ * of the corners of one face: there the condition compares with 1/4 too, which second derivatives
+ * around the face have.
  * Stars of too many faces (LocalMatrix.h), and closed ones of fewer than three, are not examined:
  * all eigenvalues are 0.
  *
  * Where the condition holds and `samples`, the characteristic map, the eigenvectors of l1 and l2,
  * is taken further until edges have a quarter of the length (a ninth for sqrt(3)). It is regular if
  * all triangles (three corners in a row of each face) that lie between the first ring and its image
- * by a step keep their orientation; it is injective too if the first ring goes around once, or at
- * a curve less than once. FaceStars.h says what is looked at in dual schemes.
+ * by a step keep their orientation. It is injective too if the first ring goes around once, or at
+ * a curve less than once. FaceStars.h says which faces are looked at in dual schemes.
  */
 SmoothnessFacts ExamineSurface(const SurfaceStar& star, bool samples);
 
 /// The characteristic map itself, after `levels` further levels, 1 or more (sqrt(3), 4-8, midedge:
-/// of two steps each), as far as it is known. In dual schemes it is that of a face (FaceStars.h),
-/// and empty at boundaries. It is empty where l2 = l3, so that it is not unique.
+/// of two steps each), as far as it is known. In dual schemes it is the map of a face
+/// (FaceStars.h), and empty at boundaries. It is empty where l2 = l3, so that it is not unique.
 StarMap MapSurface(const SurfaceStar& star, int levels);
 
 }

@@ -251,7 +251,7 @@ vtkIdType AdaptiveRun<Id>::Split(const std::vector<AdaptiveMark<Id>>& marks, vtk
   return left;
 }
 
-/// The same for all partitions. If not all fit, each does those with the largest errors.
+/// The same for all partitions. If not all fit, each splits the faces with the largest errors.
 template <typename Id>
 vtkIdType AdaptiveRun<Id>::SplitTogether(
   const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
@@ -412,8 +412,8 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
   }
 }
 
-/// How many cells the output may have: by the option, by what MaximumLevel can make of the input,
-/// and by the memory that there is.
+/// How many cells the output may have: by the option, by MaximumLevel, and by the memory that there
+/// is.
 /// Of a partition, copies included: the option holds for all partitions together.
 double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const SurfaceOptions& options,
   int maximumLevel, bool isPartition, bool& memoryIsLimit)

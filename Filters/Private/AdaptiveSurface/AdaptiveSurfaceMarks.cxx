@@ -88,7 +88,7 @@ AdaptiveSurfaceMarks<Id>::AdaptiveSurfaceMarks(const AdaptiveSqrtThree<Id>& mesh
 }
 
 // ------------------------------------------------------------------------------------------------
-// What is new
+// New faces, vertices and segments
 
 /// The control segment of which a segment is a part.
 template <typename Id>
@@ -481,7 +481,7 @@ void AdaptiveSurfaceMarks<Id>::AddMarksOfOpen(
   }
 }
 
-/// Marks a face or segment, and the faces across those edges of a face whose error is too large: an
+/// Marks a face or segment, and the faces across the edges of a face whose error is too large: an
 /// edge is replaced only when both of its faces are split.
 template <typename Id>
 void AdaptiveSurfaceMarks<Id>::AddMarks(

@@ -19,18 +19,18 @@ namespace subdivision
 template <typename Id>
 struct AdaptiveMark
 {
-  double Error; ///< as a multiple of what is allowed
+  double Error; ///< as a multiple of the allowed one
   Id Face;      ///< -1 - segment
 };
 
-/// What a partition of a surface looks at: where its own faces and lines are.
+/// The faces and segments that a partition looks at: where its own faces and lines are.
 struct AdaptiveScope
 {
   std::vector<char> Faces;    ///< 1 for each control face that is its own
   std::vector<char> Segments; ///< and for each control segment at an own face or line
 };
 
-/// What was found that the user is told.
+/// Findings for the user.
 struct AdaptiveNotes
 {
   /// Edges of the input with a value that is not finite.
@@ -58,11 +58,11 @@ private:
   struct Verdict
   {
     double Error = 0.;
-    unsigned char Edges = 0; ///< bits of those whose error is too large
+    unsigned char Edges = 0; ///< bits of the edges whose error is too large
     bool IsTooShort = false;
     bool HasNoValue = false;
   };
-  /// What a thread needs to find limits between vertices.
+  /// The memory of a thread to find limits between vertices.
   struct Scratch
   {
     RowBlock<Id> Rows;

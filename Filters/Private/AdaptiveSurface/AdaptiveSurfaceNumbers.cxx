@@ -34,7 +34,7 @@ public:
     this->Keys.Own.push_back(isOwn);
     this->Places.push_back(place);
   }
-  /// Numbers them after those that the list has already.
+  /// Numbers them from the total of the list on.
   void Number(Partners& partners, WholeIds& list) const
   {
     const SharedNumbers numbers = NumberTogether(this->Keys, partners);
@@ -57,7 +57,7 @@ Ids TakeKey(const SharedKeys& things, vtkIdType i)
   return { first, first + things.Width };
 }
 
-/// What keys say of faces and segments.
+/// The paths from the control mesh by which keys name faces and segments.
 template <typename Id>
 class Paths
 {

@@ -15,9 +15,9 @@ namespace subdivision
 {
 
 /**
- * `cells` are those of `input`, the mesh that `partners` know, and `control` is the level of them
- * from which `mesh` was made; `output` has its cells, with original ids. All partitions call this
- * together.
+ * `cells` are the cells of `input`, the mesh that `partners` know, and `control` is the level of
+ * them from which `mesh` was made; `output` has its cells, with original ids. All partitions call
+ * this together.
  *
  * A triangle or vertex is known by its control face or edge and by the path from there, which
  * child of which child. The trees of control faces of others are known in part only, so that counts

@@ -9,8 +9,8 @@
 namespace subdivision
 {
 
-/// The origin of a new vertex: that of the earliest parent, and of parents of the same level the
-/// smallest. So it does not depend on the order of splits.
+/// The origin of a new vertex: the origin of the earliest parent, and of parents of the same level
+/// the smallest. So it does not depend on the order of splits.
 template <typename Id>
 vtkIdType AdaptiveSurfaceValues<Id>::FindOrigin(Id vertex) const
 {

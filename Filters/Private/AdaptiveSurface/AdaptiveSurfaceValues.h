@@ -71,8 +71,8 @@ public:
   /**
    * The middle alone, from points of the next level; false where the other face is not there. The
    * centres P and Q of the two faces and the opposite vertices C and D lie at equal distances on a
-   * line that crosses the middle of the edge, so that this is 9/16 (P + Q) - 1/16 (C + D), up to
-   * fourth order.
+   * line that crosses the middle of the edge. So this is 9/16 (P + Q) - 1/16 (C + D), up to fourth
+   * order.
    */
   bool FindMiddle(Id corner, double* middle) const;
 

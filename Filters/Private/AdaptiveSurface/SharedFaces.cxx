@@ -117,7 +117,7 @@ typename SharedFaces<Id>::Path SharedFaces<Id>::FindPath(Id face) const
   return path;
 }
 
-/// The splits that no other partition was told of, for those that have copies of the faces.
+/// The splits that no other partition was told of, for the partitions with copies of the faces.
 template <typename Id>
 Partners::Messages SharedFaces<Id>::TakeNew()
 {
@@ -132,7 +132,7 @@ Partners::Messages SharedFaces<Id>::TakeNew()
     this->AddHolders(face, to);
     for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
     {
-      // An own face marks those beside it too.
+      // An own face marks the faces beside it too.
       if (this->Mesh.GetTwin(corner) >= 0)
       {
         this->AddHolders(this->Mesh.GetTwin(corner) / 3, to);
@@ -173,8 +173,8 @@ bool SharedFaces<Id>::Receive(const Partners::Messages& messages, vtkIdType most
   return true;
 }
 
-/// Splits the face of a path, and before it those on the way. A child between two faces is there
-/// when the second one is split, too.
+/// Splits the face of a path, and before it the faces on the way. A child between two faces is
+/// there when the second one is split, too.
 template <typename Id>
 bool SharedFaces<Id>::SplitAt(const Path& path, vtkIdType mostCells)
 {

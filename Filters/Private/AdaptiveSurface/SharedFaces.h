@@ -20,16 +20,16 @@ namespace subdivision
 
 /**
  * Passes on splits between partitions. Each marks its own faces, and splits in its copies of other
- * faces what must be split before. It sends the splits that are in its own faces, or beside them,
- * to the partitions that have copies of these; what arrives is split there, with what must be split
- * before, and so on, until nobody has anything new. As the set of split faces does not depend on
- * the order of splits, it is then that of the whole surface in all faces that share a point with an
- * own one.
+ * faces all that must be split before. It sends the splits that are in its own faces, or beside
+ * them, to the partitions that have copies of these. They split these faces, and all that must be
+ * split before, and so on, until nobody has anything new. As the set of split faces does not depend
+ * on the order of splits, it is then the same as in the whole surface in all faces that share a
+ * point with an own one.
  *
- * What must be split before a face is at most two layers of control faces away from it: one for the
- * control faces themselves, and less than one for the smaller faces of all later levels. So with
- * three layers of copies (LayersOfAdaptiveSurface) no split comes near to the outermost edges, at
- * which the copies have a boundary and the surface has none.
+ * Faces that must be split before a face are at most two layers of control faces away from it: one
+ * for the control faces themselves, and less than one for the smaller faces of all later levels. So
+ * with three layers of copies (LayersOfAdaptiveSurface) no split comes near to the outermost edges,
+ * at which the copies have a boundary and the surface has none.
  *
  * A face is known to others by its control face and by which child it is of each face between.
  */
@@ -50,7 +50,7 @@ public:
   void Restart();
 
   /// The number of triangles, pieces of line cells and vertex cells. Its sum over all partitions is
-  /// that of the whole surface.
+  /// the number of the whole surface.
   vtkIdType CountOwnCells() const;
 
 private:

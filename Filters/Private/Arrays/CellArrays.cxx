@@ -78,7 +78,7 @@ vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType size)
 
 /// Copies all cell arrays of the input. `spread` makes an array of the output from one of the
 /// input; `makeIds` makes the array of the input cell that each output cell comes from; `areSame`
-/// says whether the cells are those of the input.
+/// says whether the cells are still cells of the input.
 template <typename SpreadTo, typename Ids, typename AreSame>
 void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
   const Ids& makeIds, const AreSame& areSame, vtkUnstructuredGrid* output)

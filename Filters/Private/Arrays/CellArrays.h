@@ -66,11 +66,11 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 void AddValuesOfSimplices(const unsigned char* values, const SimplexList& simplices, int levels,
   const char* name, vtkPointSet* input, vtkUnstructuredGrid* output);
 
-/// Subtracts `levels` from the sharpness of lines and triangles, down to 0: what is left of it
-/// after so many steps.
+/// Subtracts `levels` from the sharpness of lines and triangles, down to 0: the rest of it after so
+/// many steps.
 void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output);
 
-/// Derives the ghost types of points from those of cells: a point is a duplicate if all of its
+/// Derives the ghost types of points from the types of cells: a point is a duplicate if all of its
 /// cells are. A point without cells keeps its type. Does nothing without ghost types.
 void RebuildPointGhosts(vtkPointSet* input, vtkPointSet* output);
 

@@ -91,7 +91,7 @@ FingerprintHashes ComputeHashes(
 }
 
 /// The fingerprint of a contiguous array. Other work is done meanwhile: work(first, last) for the
-/// tuples of the array, each once, in threads. Then the size of a tuple divides that of a stretch.
+/// tuples of the array, each once, in threads. Then stretches hold whole tuples.
 template <typename Work>
 Fingerprint ComputeFingerprint(vtkDataArray* array, const Work& work)
 {

@@ -23,8 +23,8 @@ namespace subdivision
 namespace
 {
 
-/// Part of the range that interpolated values may exceed it by rounding, and by the error of the
-/// solver. Where values are much larger than their range, so is their rounding.
+/// Fraction of the range that interpolated values may exceed it by rounding, and by the error of
+/// the solver. Where values are much larger than their range, so is their rounding.
 double GetRangeTie(vtkDataArray* array, double largest, double range)
 {
   const bool isFloat = array->GetDataType() == VTK_FLOAT;
@@ -215,7 +215,7 @@ private:
     }
   }
 
-  /// Limits of fields are divided by those of their weights, which all arrays have in common.
+  /// Limits of fields are divided by the limits of their weights, which all arrays have in common.
   void FindFactors(const PointOperator& limit, const InterpolationLimits& limits)
   {
     const auto found = std::find_if(this->Sources.begin(), this->Sources.end(),
@@ -278,7 +278,7 @@ std::string DescribeMiss(
 
 }
 
-/// Finds what is interpolated, points first.
+/// Finds the arrays to interpolate, points first.
 void PointArrays::FindInterpolated(
   const InterpolationOptions& options, const std::function<void(const std::string&)>& warn)
 {

@@ -316,9 +316,9 @@ void PointArrays::AdvanceSmoothed(
   }
 }
 
-/// Finds the current points whose values rows take in arrays that are not smoothed: an old point
-/// keeps its own; of the ends of an edge, or the vertices of an octahedron, that with the smallest
-/// global id gives them.
+/// Finds the current points whose values rows take in arrays that are not smoothed. An old point
+/// keeps its own. A new one takes values of the end of its edge, or vertex of its octahedron, with
+/// the smallest global id.
 template <typename Id>
 void PointArrays::FindOrigins(const RingRows<Id>& rows, vtkIdType* origins) const
 {

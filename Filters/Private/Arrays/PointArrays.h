@@ -42,9 +42,9 @@ struct PointArrayOptions
   /// Is told which arrays cannot be used.
   std::function<void(const std::string&)> Warn;
 
-  /// Original ids are written where they are asked for, or the input has some. Those of the input
-  /// go on if an earlier filter of this kind wrote them, and, whoever wrote them, where none are
-  /// asked for: so two filters in a row do what one does.
+  /// Original ids are written where they are asked for, or the input has some. Ids of the input go
+  /// on if an earlier filter of this kind wrote them, and, whoever wrote them, where none are asked
+  /// for: so two filters in a row do the same as one.
   void ChooseOriginalIds(vtkPointSet* input, bool areWanted, bool isContinued);
 };
 
@@ -64,7 +64,7 @@ struct InterpolationOptions
   int NumberOfMaterials = 1;
 
   bool IsOn() const { return (this->Points || this->Arrays) && this->Weight > 0.; }
-  /// What a stamp says of it.
+  /// The numbers for a stamp.
   std::vector<vtkIdType> GetNumbers() const
   {
     return { (this->Points ? 1 : 0) + (this->Arrays ? 2 : 0) };
@@ -77,27 +77,27 @@ struct Overshoot
   std::string Name;
   vtkIdType NumberOfValues;
   vtkIdType Count = 0; ///< of values that exceed the range by more than rounding
-  double Most = 0.;    ///< by how much, as a part of the range
+  double Most = 0.;    ///< by how much, as a fraction of the range
 };
 
-/// Points where the limit of a material's values is not what was solved for.
+/// Points where the limit of a material's values is not the wanted value.
 struct LimitMisses
 {
   vtkIdType Count = 0;
-  double Most = 0.; ///< the largest distance, as a part of the range
+  double Most = 0.; ///< the largest distance, as a fraction of the range
 };
 
 /// The values of a point array of the input as a contiguous array of type `valueType`, followed by
-/// those of the centres that `cells` adds. It is the array itself if there is nothing to do.
+/// the values of the centres that `cells` adds. It is the array itself if there is nothing to do.
 vtkSmartPointer<vtkDataArray> StartValues(
   vtkDataArray* array, int valueType, const SimplicesOfCells& cells);
 
 /**
  * Arrays of floating point numbers, and colours (unsigned char with 3 or 4 components), are
  * smoothed; colours are rounded after each level. Other integers, strings and bits are gathered: an
- * old point keeps its value, a new point on an edge takes that of the end with the smaller global
- * id, the centre of an octahedron that of the vertex with the smallest one. Global and pedigree ids
- * are kept where all points are points of the input.
+ * old point keeps its value, a new point on an edge takes the value of the end with the smaller
+ * global id, the centre of an octahedron the value of the vertex with the smallest one. Global and
+ * pedigree ids are kept where all points are points of the input.
  */
 class PointArrays
 {
@@ -106,8 +106,8 @@ public:
   PointArrays(vtkPointSet* input, const SimplicesOfCells& cells, const vtkIdType* globalIds,
     vtkIdType numberOfGlobalIds, const PointArrayOptions& options);
 
-  /// Coordinates of the current points in double, for choices that depend on them. Their tie is
-  /// that of single precision if the points of the input or of the output are.
+  /// Coordinates of the current points in double, for choices that depend on them. Their tie is for
+  /// single precision if the points of the input or of the output have it.
   Coordinates GetCoordinates();
   double GetTie() const { return this->Tie; }
 
@@ -119,7 +119,7 @@ public:
   /// Whether some array has weights (MaterialFields.h), by which its values are divided after each
   /// operator.
   bool HasWeights() const { return this->Options.HasMaterialFields; }
-  /// Takes away the values of points of those colours that their masks do not have; none: does
+  /// Takes away the values of colours that the masks of the points do not have; without masks does
   /// nothing.
   void KeepColours(const std::vector<ColourMask>& masks);
   /// Whether some array is not smoothed.
@@ -150,12 +150,12 @@ public:
   /// The current values of a point array of the input; null if it is not smoothed.
   vtkDataArray* FindCurrent(vtkAbstractArray* given) const;
   /// How far the current values of each array exceed the range that the array had before
-  /// Interpolate. `counted`: whether the value of a point counts; empty: all do. `colours`: those
-  /// of which a point has values; empty: there are none.
+  /// Interpolate. `counted`: whether the value of a point counts; empty: all do. `colours`: of
+  /// which a point has values; empty: there are none.
   std::vector<Overshoot> FindOvershoot(
     const std::vector<char>& counted, const std::vector<ColourMask>& colours) const;
 
-  /// Whether the current values of materials are those that Interpolate was given. Steps take
+  /// Whether the current values of materials are the values that Interpolate was given. Steps take
   /// other proportions than limits where materials only touch. `counted`: as in FindOvershoot.
   LimitMisses FindMisses(const std::vector<char>& counted) const;
 
@@ -189,7 +189,7 @@ private:
     bool IsNormals = false; ///< neither: normals of the input hold only where no point moved
     bool AreIds = false;    ///< neither: global and pedigree ids hold only where no point is new
   };
-  /// What is interpolated: an array, or all that have the values of one, each for one colour.
+  /// An array to interpolate, or all arrays that have the values of one, each for one colour.
   struct Interpolated
   {
     std::string Name;
@@ -229,7 +229,7 @@ private:
   vtkSmartPointer<vtkDataArray> Normals;
   vtkSmartPointer<vtkDataArray> Tangents[2];
   std::vector<Entry> Entries;
-  PackedArrays Packed;                     ///< values of those arrays that are empty for now
+  PackedArrays Packed;                     ///< values of arrays that are empty for now
   std::vector<Interpolated> ToInterpolate; ///< in an order that all parts of a mesh have
   bool HasGathered = false;
   vtkIdType NumberOfInputPoints;      ///< the first points are points of the input

@@ -24,8 +24,8 @@ struct Block
   bool IsBack = false;
 };
 
-/// All blocks that arrays have, and those that came back. Arrays may live longer than what is
-/// static, so this is never destroyed.
+/// All blocks that arrays have, and blocks that came back. Arrays may live longer than static
+/// objects, so this is never destroyed.
 struct Blocks
 {
   std::mutex Lock;

@@ -5,8 +5,8 @@
  *
  * A pipeline forgets an output just before the next one is made. Memory of that size goes back to
  * the system and comes back as pages of zeros, which takes as long as writing it. So who makes
- * outputs may wait for what they free in the meantime. Memory is freed when nobody has it any more,
- * neither an array nor a copy of one that shares its memory: others never see a change.
+ * outputs may wait for freed memory. Memory is freed when nobody has it any more, neither an array
+ * nor a copy of one that shares its memory: others never see a change.
  */
 #ifndef SubdivisionObjects_ReturnedMemory_h
 #define SubdivisionObjects_ReturnedMemory_h
@@ -29,7 +29,7 @@ public:
 
   /// From here on arrays that were made here leave their memory here.
   void Await();
-  /// Gives the system what they left and nobody took, and ends that.
+  /// Gives the system the memory that they left and nobody took; ends Await.
   void Release();
 
   /// The same as MakeArray in Arrays.h, in memory that came back if there is some of that size.

@@ -242,7 +242,7 @@ void BezierWriter::WriteCells()
     this->Output->GetCellData());
 }
 
-/// Writes what a patch is the first to have.
+/// Writes the values of points that no patch before has.
 void BezierWriter::FitValues(vtkIdType p, std::vector<double>& values) const
 {
   const Chosen& patch = this->Patches[p];
@@ -363,7 +363,7 @@ vtkSmartPointer<vtkDataObject> ForMeshes(vtkDataObject* data, const OfMesh& ofMe
 
 }
 
-/// The rounds of each mesh, and what the first one found for all of them.
+/// The rounds of each mesh, and the ranges that the first one found for all of them.
 struct BezierState
 {
   std::unique_ptr<ValueRanges> Ranges;
@@ -372,14 +372,14 @@ struct BezierState
   CellSplits Splits;
   bool AsksForSplits = true; ///< until a run takes no notice of them
   vtkIdType Cells = 0;       ///< how many there are at least
-  vtkIdType Unknown = 0;     ///< of these, those that the next round looks at
+  vtkIdType Unknown = 0;     ///< how many of these the next round looks at
 
   void Add(vtkDataObject* data, const BezierOptions& options);
   bool GoesOn(vtkDataObject* data, const BezierOptions& options);
   vtkSmartPointer<vtkDataObject> Write(vtkDataObject* data, const BezierOptions& options);
 };
 
-/// Chooses the patches of what was made.
+/// Chooses the patches of an output of the filter.
 void BezierState::Add(vtkDataObject* data, const BezierOptions& options)
 {
   if (!this->Ranges)

@@ -23,16 +23,16 @@ struct BezierOptions
 {
   /// How often a cell may be split.
   int Levels = 0;
-  /// How many steps were made: Levels and those of CountFurtherSteps.
+  /// How many steps were made: Levels and CountFurtherSteps.
   int Steps = 0;
   /// Whether cells may be split more often, by further steps: then nothing is written if there are
   /// some of which this is not known yet.
   bool MayGoOn = false;
-  /// Whether what was made has all cells of the run.
+  /// Whether the data has all cells of the run.
   bool IsWhole = true;
   vtkIdType MaximumNumberOfCells = VTK_ID_MAX; ///< in this process
-  /// What Bezier cells may leave out, as a part of the diagonal of the mesh, and of an array's
-  /// range.
+  /// The distance that Bezier cells may have, as a fraction of the diagonal of the mesh, and of an
+  /// array's range.
   double Tolerance = 0.;
   bool Use32BitIds = false;
   /// The ranks that have parts of the mesh; null: this process has all.
@@ -42,15 +42,15 @@ struct BezierOptions
 };
 
 /// How many steps beyond Levels an input needs: more if it has solids or, where faces become quads,
-/// faces that are none. `input`: what ReadableMesh.h makes; null: not known.
+/// faces that are none. `input`: from ReadableMesh.h; null: not known.
 int CountFurtherSteps(vtkDataObject* input, bool toQuads);
 
 /**
  * Makes a grid of Bezier cells of a mesh that was split uniformly and moved to the limit, or of
  * each mesh of a composite data set. The cells of a cell of the control mesh follow one another.
- * Each control cell becomes one Bezier cell if that is the limit but for two thirds of the
- * tolerance at the points of one further step, so that the tolerance is kept between these too;
- * else its children do, down to `Levels`.
+ * Each control cell becomes one Bezier cell if that is the limit, up to two thirds of the
+ * tolerance, at the points of one further step: so the tolerance is kept between these too. Else
+ * its children do, down to `Levels`.
  *
  * All cells have one degree, the largest that one of them needs. Control points that equal cells
  * share, by the points of the mesh, are one point. Arrays of
@@ -73,9 +73,9 @@ public:
 
   /// Says how many steps beyond levels an input needs (CountFurtherSteps).
   void SetFurtherSteps(int further) { this->FurtherSteps = further; }
-  /// Calls run(), which ends with Finish, for one level and, while cells have to be split that were
-  /// not looked at, for the next, up to `most`; or once, if `most` is negative: then there are no
-  /// Bezier cells. Returns what the last call returns. `options` are those of the run.
+  /// Calls run(), which ends with Finish, for one level, and for the next, up to `most`, while
+  /// cells have to be split that were not looked at. Calls it once if `most` is negative: then
+  /// there are no Bezier cells. Returns the result of the last call. `options`: of the run.
   template <typename Options>
   int Run(int most, Options& options, const std::function<int()>& run)
   {
@@ -84,7 +84,7 @@ public:
     {
       options.Part = { begin, end };
       options.Splits = most < 0 ? nullptr : this->GetSplits();
-      options.Cache = options.Splits ? nullptr : cache; // what is kept are whole levels
+      options.Cache = options.Splits ? nullptr : cache; // only whole levels are kept
       return run();
     };
     const int result = most < 0 ? runPart(0., 1.) : this->Run(most, runPart);

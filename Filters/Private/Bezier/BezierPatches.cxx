@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// What of the tolerance the checked points may use up: the largest error lies between them.
+/// The share of the tolerance for checked points: the largest error lies between them.
 constexpr double ShareOfChecks = 2. / 3.;
 
 vtkSmartPointer<vtkPointSet> CopyMesh(vtkPointSet* mesh)
@@ -68,7 +68,7 @@ std::vector<char> BezierPatches::FlagUnknown() const
   return flags;
 }
 
-/// CountFurtherSteps sees what CellsToSimplices and MakeSurface read, so that this does not happen.
+/// CountFurtherSteps sees all cells that CellsToSimplices and MakeSurface read, and prevents this.
 void BezierPatches::CheckSteps() const
 {
   const vtkIdType cell = this->Cells.GetFirstWithoutPoints();
@@ -131,9 +131,9 @@ void BezierPatches::ReadValues(const ValueRanges& ranges)
   }
 }
 
-/// Whether the polynomial of a patch is the limit at the points of one further step: what the
-/// tolerance says of points is a distance, of arrays a difference of each component. What is not
-/// finite tells nothing.
+/// Whether the polynomial of a patch is the limit at the points of one further step: the tolerance
+/// of points is a distance, of arrays a difference of each component. Values that are not finite do
+/// not count.
 bool BezierPatches::Fits(const Patch& patch) const
 {
   const Root& root = this->Cells.GetRoot(patch.Root);

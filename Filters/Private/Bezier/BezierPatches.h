@@ -54,7 +54,7 @@ public:
 
   vtkPointSet* GetMesh() const { return this->Mesh; }
   const BezierRoots& GetCells() const { return this->Cells; }
-  /// What is fitted, points first; and the values of each point, one array after the other.
+  /// The fitted arrays, points first; and the values of each point, one array after the other.
   const std::vector<vtkDataArray*>& GetArrays() const { return this->Arrays; }
   int GetNumberOfComponents() const { return this->Components; }
   const double* GetValues(vtkIdType point) const
@@ -90,7 +90,7 @@ private:
   int Degree = 0;
   int Components = 0;
   Buffer<double> Values;
-  std::vector<double> Allowed; ///< what each component may leave out
+  std::vector<double> Allowed; ///< the tolerance of each component
   std::vector<Patch> Patches;
 };
 

@@ -49,7 +49,7 @@ void BezierRoots::ReadCells()
 
 /// How many groups of `size` quads from `first` on came from one face: as many as it had sides. The
 /// quad at each side has the face's point as its third one, the point of the edge behind its corner
-/// as its second one, and that of the edge before as its last one.
+/// as its second one, and the point of the edge before as its last one.
 vtkIdType BezierRoots::CountSides(vtkIdType first, vtkIdType size) const
 {
   // Each step puts a corner of a quad first in the child there: so it is first in the first cell of

@@ -34,7 +34,7 @@ int GetNodeOfLine(int degree, int i)
 }
 
 /// The same for one corner of a simplex, whose control point has these multiples. Inside faces and
-/// tetrahedra of degree 5 the nodes are those near (3, 1, 1), (2, 2, 1) and (2, 1, 1, 1) / 5.
+/// tetrahedra of degree 5 the nodes are the points near (3, 1, 1), (2, 2, 1) and (2, 1, 1, 1) / 5.
 int GetNodeOfCorner(int degree, const CornerMultiples& multiples, int corner)
 {
   const int multiple = multiples[corner];

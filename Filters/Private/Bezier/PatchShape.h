@@ -6,10 +6,10 @@
  *
  * Where all is regular, limits are polynomials: of degree 3 over a line, 4 over a triangle (Loop),
  * 3 by 3 over a quad (Catmull-Clark), 5 over a tetrahedron (box spline). A mesh that was made by
- * further steps has points of the limit where the edges of a cell are divided in 4 or 8. As many
- * of these as the polynomial has control points, its *nodes*, give it: those on an edge or face
- * the control points there, so that cells that share an edge have the same curve on it. So
- * where a mesh has cells of a higher degree, all others are raised to that.
+ * further steps has points of the limit where the edges of a cell are divided in 4 or 8. As many of
+ * these as the polynomial has control points, its *nodes*, give it. Nodes on an edge or face give
+ * the control points there, so that cells that share an edge have the same curve on it. So where a
+ * mesh has cells of a higher degree, all others are raised to it.
  */
 #ifndef SubdivisionObjects_PatchShape_h
 #define SubdivisionObjects_PatchShape_h

@@ -26,9 +26,9 @@ public:
   /// All ranks of `controller`, which may be null, call this together.
   ValueRanges(vtkDataObject* data, vtkMultiProcessController* controller);
 
-  /// A part of the length of the range of a point array, the largest of its components; null: of
-  /// the diagonal of the mesh. It is not less than what rounding changes in values of that size,
-  /// of single precision if `isSingle`, or all values that are equal would differ too much.
+  /// A fraction of the length of the range of a point array, the largest of its components; null:
+  /// of the diagonal of the mesh. It is not less than the rounding of values of that size, of
+  /// single precision if `isSingle`, or all values that are equal would differ too much.
   double GetTolerance(const char* name, double part, bool isSingle) const;
 
 private:

@@ -123,7 +123,7 @@ bool Tightener::Look(
   std::size_t end = 0;
   for (std::size_t begin = 0; begin < parts.Wanted.size(); begin = end)
   {
-    // All parts of a cell together: what it gets does not depend on other cells.
+    // All parts of a cell together: its bound does not depend on other cells.
     while (end < parts.Wanted.size() &&
       (end < begin + batch || parts.Roots[end] == parts.Roots[end - 1]))
     {

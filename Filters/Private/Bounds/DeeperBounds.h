@@ -22,9 +22,9 @@ constexpr int MostFurtherStepsInThirds[4] = { 0, 5, 3, 0 };
 /**
  * Looks at the parts of cells whose pieces have bounds that are not near the cell's Least, one step
  * deeper each time, until they are, or until MostFurtherSteps. Each step leaves about a quarter (a
- * ninth) of what a bound is too large by. A cell whose bound would not come near even so is left
- * alone. `limits` are values on the limit at the first points; empty if nobody knows them. Returns
- * false if `split` does not go on.
+ * ninth) of the excess of a bound. A cell whose bound would not come near even so is left alone.
+ * `limits` are values on the limit at the first points; empty if nobody knows them. Returns false
+ * if `split` does not go on.
  */
 bool TightenBounds(const SteppedPieces& pieces, const SplitCells& split,
   const BoundedValues& values, const Buffer<double>& limits, std::vector<CellBound>& bounds);

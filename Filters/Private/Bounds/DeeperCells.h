@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// Cells, what their limits depend on, and the last of their steps.
+/// Cells, their sectors, and the last of their steps.
 struct SteppedPieces
 {
   const NestedPieces& Pieces;
@@ -57,7 +57,7 @@ public:
   /// The cells that wanted parts are.
   const std::vector<vtkIdType>& GetWanted() const { return this->Wanted; }
   const std::vector<Corner>& GetCorners() const { return this->Corners; }
-  /// Values at the points after step 1 or 2, of those at the points before.
+  /// Values at the points after step 1 or 2, from values at the points before.
   Buffer<double> Take(int step, const Buffer<double>& values, int components) const;
 
 protected:

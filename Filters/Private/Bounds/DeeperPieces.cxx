@@ -29,8 +29,8 @@ Weights WeighCorners(const Lattice& lattice, const LatticePoint& place)
   return { { all - x - y - z, x, y, z } };
 }
 
-/// Even numbers which leave half of the sum of some weights. What is near a side stays as near, and
-/// what is not comes not next to one; in tetrahedra it may, where rows are the same.
+/// Even numbers which leave half of the sum of some weights. A place near a side stays as near, and
+/// other places come not next to one; in tetrahedra they may, where rows are the same.
 Weights FindExcess(Weights weights)
 {
   Weights excess{};
@@ -117,7 +117,7 @@ void DeeperPieces::ListParts(const std::vector<Part>& wanted)
   this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
 }
 
-/// Adds what is not there yet. Quarters of an octahedron follow each other.
+/// Adds parts that are not there yet. Quarters of an octahedron follow each other.
 void DeeperPieces::AddParts(const std::vector<Part>& parts, std::map<Part, vtkIdType>& numbers)
 {
   const auto add = [&](const Part& part)
@@ -184,7 +184,7 @@ vtkIdType DeeperPieces::FindNumber(vtkIdType old) const
   return at != this->NumbersOfOld.end() && at->first == old ? at->second : -1;
 }
 
-/// A new point is known by those in whose middle it is.
+/// A new point is known by the points in whose middle it is.
 void DeeperPieces::NumberNewPoints()
 {
   using Parents = std::array<vtkIdType, Lattice::MostCorners>;
@@ -234,7 +234,7 @@ void DeeperPieces::FindPieces()
     std::make_unique<NestedPieces>(std::move(kinds), std::move(this->PlacePoints), this->Counts);
 }
 
-/// The point whose row is that of a point of a part, and where that one is.
+/// The point before with the row of a point of a part; `shift` tells how this point moves there.
 vtkIdType DeeperPieces::FindRow(const Part& part, int point, Shift& shift) const
 {
   const Lattice& lattice = this->GetLattice(part);
@@ -266,8 +266,8 @@ vtkIdType DeeperPieces::FindRow(const Part& part, int point, Shift& shift) const
     this->From.Pieces.GetFirstPlace(part.Cell) + lattice.Find(place));
 }
 
-/// The corners of another cell that a shift has, by what it takes of each. Returns false if that
-/// cell does not have all of them, or not as a face.
+/// The multiples that a shift takes of the corners of another cell. Returns false if this cell does
+/// not have all corners of the shift, or not as a face.
 bool DeeperPieces::Match(const Shift& shift, vtkIdType cell, Weights& corners) const
 {
   const NestedPieces& pieces = this->From.Pieces;
@@ -341,7 +341,7 @@ vtkIdType DeeperPieces::ShiftColumn(const Shift& shift, vtkIdType column) const
   return -1;
 }
 
-/// Moves a place of an octahedron by what a shift takes of the corners of one of its quarters.
+/// Moves a place of an octahedron by the multiples that a shift takes of a quarter's corners.
 vtkIdType DeeperPieces::ShiftInOctahedron(
   vtkIdType place, vtkIdType quarter, const Weights& corners) const
 {

@@ -3,9 +3,8 @@
  * @file DeeperPieces.h
  * Parts of cells as cells of their own, one step deeper, without a mesh that is split once more.
  *
- * A cell looks the same on each level: what lies inside one of its edges or faces repeats at half
- * the size. So the rows of the next step are those of the last one, at other places (Mathematics
- * 14).
+ * A cell looks the same on each level: the inside of its edges and faces repeats at half the size.
+ * So the next step has the rows of the last one, at other places (Mathematics 14).
  */
 #ifndef SubdivisionObjects_DeeperPieces_h
 #define SubdivisionObjects_DeeperPieces_h
@@ -28,8 +27,8 @@ public:
   using Weights = std::array<int, NestedPieces::MostCorners>;
 
   /// The cells are `wanted`, each with all quarters of its octahedron, and after them the other
-  /// parts at their points. A row is not a number where it may read what these do not have; what
-  /// wanted cells depend on is there, but where a rule reads more than cells that meet.
+  /// parts at their points. A row is not a number where it may read a point that these cells lack.
+  /// Wanted cells depend on no such row, unless a rule reads beyond cells that meet.
   DeeperPieces(const SteppedPieces& from, const std::vector<Part>& wanted);
   SteppedPieces Get() const override
   {

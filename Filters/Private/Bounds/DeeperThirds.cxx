@@ -233,7 +233,7 @@ bool DeeperThirds::Split(vtkPolyData* patch, const SubdividePatch& subdivide)
   return true;
 }
 
-/// Which points before those of the patch are, and where its corners were.
+/// Finds which points before the points of the patch are, and where its corners were.
 void DeeperThirds::FindOld()
 {
   this->Corners.resize(this->Old.size(), { -1, -1 });

@@ -3,10 +3,10 @@
  * @file DeeperThirds.h
  * Parts of cells as cells of their own, two steps of sqrt(3) deeper.
  *
- * Rows of this scheme reach beyond the neighbours of a cell, so that those of a further step are no
- * rows of the step before, as they are in DeeperPieces. Here parts are cut out of the mesh, with
- * what their limits depend on, and split as a mesh of their own. Which edges and vertices are fixed
- * is read off the rows.
+ * Rows of this scheme reach beyond the neighbours of a cell, so that a further step does not have
+ * the rows of the step before, as in DeeperPieces. Here parts are cut out of the mesh, with the
+ * cells on which their limits depend, and split as a mesh of their own. Which edges and vertices
+ * are fixed is read off the rows.
  */
 #ifndef SubdivisionObjects_DeeperThirds_h
 #define SubdivisionObjects_DeeperThirds_h
@@ -62,7 +62,7 @@ private:
   void FindOld();
 
   const SteppedPieces From;
-  std::vector<Part> Parts;      ///< those that are wanted come first
+  std::vector<Part> Parts;      ///< the wanted ones come first
   std::set<Part> Known;         ///< the same
   std::vector<vtkIdType> Cells; ///< of the parts, in the patch
   MatrixFactors Factors;

@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// Values at the points after a step: those before, and means of them.
+/// Values at the points after a step: the values before, and means of them.
 Buffer<double> MakeMiddles(
   const NestedPieces& pieces, int step, int components, const Buffer<double>& values)
 {
@@ -62,7 +62,7 @@ Buffer<double> FindMoves(const NestedPieces& pieces, int step, int components,
   return moves;
 }
 
-/// Which points the bounds of some cells need: those of these cells, and of the pieces at them.
+/// The points that the bounds of some cells need: of these cells, and of the pieces at them.
 class NeededPoints
 {
 public:
@@ -107,13 +107,12 @@ private:
   Buffer<char> All;
 };
 
-/// Of what steps 2 and 3 add, and of what all later steps do.
+/// Ranges of the vectors that steps 2 and 3 add, and that all later steps add.
 using StepsAndTail = std::array<VectorRanges, 2>;
 
-/// For each spot at a cell the vectors of the points on which the limit there depends: those of the
-/// pieces at it that belong to its sector; where the sector has tetrahedra, whose edges have rings
-/// beyond these, where edges are cut into thirds, or, of the tail, if `isWide`, of one layer of
-/// pieces more.
+/// For each spot at a cell the ranges over the points on which the limit there depends: points of
+/// the pieces at the spot that belong to its sector. One more layer of pieces counts in thirds, for
+/// the tail if `isWide`, and beside tetrahedra, whose edges have rings beyond these.
 StepsAndTail Spread(const NestedPieces& pieces, const Sectors& sectors, const NeededPoints& needed,
   int components, const StepsAndTail& ofPoints, bool isWide)
 {
@@ -195,7 +194,7 @@ VectorRanges MakeRanges(const NestedPieces& pieces, int components, const Buffer
   return ranges;
 }
 
-/// What all steps after step 3 together add: they halve what they add, or leave a third of it.
+/// The sum of all steps after step 3: each adds half of the step before, or a third of it.
 VectorRanges FindTail(const NestedPieces& pieces, int components, Buffer<double> kinks)
 {
   if (pieces.HasThirds())
@@ -205,8 +204,8 @@ VectorRanges FindTail(const NestedPieces& pieces, int components, Buffer<double>
   return MakeRanges(pieces, components, kinks);
 }
 
-/// The same for bilinear pieces: what a row makes of them after m
-/// steps is h a + h^2 b with h = 2^-m, where a and b follow from two steps (Mathematics 14).
+/// The same for bilinear pieces: a row on them gives h a + h^2 b after m steps, with h = 2^-m,
+/// where a and b follow from two steps (Mathematics 14).
 VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
   const Buffer<double>& first, const Buffer<double>& second)
 {
@@ -243,8 +242,8 @@ VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
         const vtkIdType* parents = i < before ? nullptr : pieces.GetParents(3, i);
         if (parents && parents[0] >= 0 && parents[0] < old && parents[2] < 0)
         {
-          // The half of an edge. Its rule may be another one than that of the whole edge; then it
-          // is that of the edge's middle, at h = 1/2.
+          // The half of an edge. Its rule may differ from the rule of the whole edge; then it is
+          // the rule of the edge's middle, at h = 1/2.
           add(i, first.data() + components * parents[1], 1., half);
           add(i, second.data() + components * parents[1], 2., half);
         }
@@ -254,7 +253,7 @@ VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
 }
 
 /// The bound of a piece: on |x + a + b| where x is the difference at a corner, a is in the range of
-/// what steps 2 and 3 add, and b in that of all later steps, or `further` out of it. `norm` is the
+/// steps 2 and 3, and b in the range of all later steps, or `further` out of it. `norm` is the
 /// largest of the differences.
 double BoundPiece(int components, const double* differences, int corners, double norm,
   const VectorRange& steps, const VectorRange& tail, double further)
@@ -277,7 +276,7 @@ double BoundPiece(int components, const double* differences, int corners, double
   return std::min(Known(byNorms), Known(std::sqrt(largestSquares))) + further;
 }
 
-/// Finds bounds of cells from what steps and all later steps add.
+/// Finds bounds of cells from the ranges of steps and of all later steps.
 class CellBounds
 {
 public:
@@ -350,7 +349,7 @@ private:
       this->OfSteps, this->OfTail, this->GetFurther(hasTets));
   }
 
-  /// What the limit is away at a point at least: |x + a + b| as in BoundPiece, of this point.
+  /// The least distance of the limit at a point: |x + a + b| as in BoundPiece, of this point.
   double FindLeast(vtkIdType cell, int point)
   {
     const int components = this->Values.Components;
@@ -383,7 +382,7 @@ private:
     return this->AllSectors.GetSpot(this->Pieces.GetFirstPlace(cell) + point);
   }
 
-  /// Of linear values from those of the output.
+  /// The difference of linear values from values of the output.
   void FindDifference(vtkIdType cell, int point, double* difference) const
   {
     const vtkIdType id = this->Pieces.GetPoint(this->Pieces.GetFirstPlace(cell) + point);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Deviations.h
- * How far steps move points away from the middles of old ones, and what bound on the distance from
- * the limit follows (Mathematics 14).
+ * How far steps move points away from the middles of old ones, and the bound on the distance from
+ * the limit that follows (Mathematics 14).
  */
 #ifndef SubdivisionObjects_Deviations_h
 #define SubdivisionObjects_Deviations_h
@@ -28,10 +28,10 @@ struct BoundedValues
   const Buffer<double>& Third;  ///< after three
   /// Applies step 3.
   std::function<Buffer<double>(const Buffer<double>& values)> LastStep;
-  double Rounding; ///< what all bounds are increased by
+  double Rounding; ///< is added to all bounds
 };
 
-/// What is known of the largest distance of a cell.
+/// Bounds on the largest distance of a cell.
 struct CellBound
 {
   double Least = 0.;            ///< it is not smaller; 0: nothing is known
@@ -39,22 +39,22 @@ struct CellBound
   std::vector<double> OfPieces; ///< Largest of each of its pieces, where asked for
 };
 
-/// How many times the least a bound may be. What a reader is promised is a little more
-/// (Mathematics 14).
+/// A bound may be so many times the least distance. Readers are promised a little more (Mathematics
+/// 14).
 constexpr double NearBound = 2.5;
 
-/// Whether a bound is near enough, or only what numbers are rounded by, or of no numbers.
+/// Whether a bound is near enough, or no more than rounding, or not finite.
 inline bool IsNear(double bound, double least, double rounding)
 {
   return bound <= NearBound * least || bound <= 16. * rounding ||
     !(bound < std::numeric_limits<double>::infinity());
 }
 
-/// Finds the bounds of some cells, with those of pieces where the cell's is not near.
+/// Finds the bounds of some cells, with bounds of pieces where the cell's is not near.
 std::vector<CellBound> FindBounds(const NestedPieces& pieces, const Sectors& sectors,
   const BoundedValues& values, const std::vector<vtkIdType>& cells);
 
-/// What a cell shows at one of its points: adds the weights of its corners to `value`.
+/// Adds the value that a cell shows at one of its points, times a factor, to `value`.
 void AddShown(const NestedPieces& pieces, const BoundedValues& values, vtkIdType cell, int point,
   double factor, double* value);
 

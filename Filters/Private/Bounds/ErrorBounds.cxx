@@ -162,19 +162,19 @@ private:
   bool AreLimitsFound = false;
 };
 
-/// The values after a level, of those after another one.
+/// The values after a level, from values after another one.
 Buffer<double> BoundMaker::Apply(
   int from, int to, const Buffer<double>& values, int components) const
 {
   return ApplyFactors(ListFactors(this->Factors, from, to), values, components);
 }
 
-/// A rough estimate of what matrices and values of the finest mesh take, beside that mesh.
+/// A rough estimate: whether matrices and values of the finest mesh fit beside this mesh.
 bool BoundMaker::HasMemory() const
 {
   const CellReader cells(this->Given.Output);
   double counts[4] = { 0., 0., 0., 0. };
-  constexpr double placesOfCells[4] = { 1., 10., 81., 165. }; // those of a quad, not fewer
+  constexpr double placesOfCells[4] = { 1., 10., 81., 165. }; // of a quad, not fewer
   const double cuts =
     this->Given.HasThirds ? PieceLattice::DivisionsInThirds : PieceLattice::Divisions;
   double pieces = 0.;
@@ -248,8 +248,8 @@ std::unique_ptr<DeeperCells> BoundMaker::Split(
     { return this->Given.SubdividePatch(patch, levels, this->GetAlone(), factors); });
 }
 
-/// `shown`: values of the output that follow from those of the control points. Returns false after
-/// an error, or a stop.
+/// `shown`: values of the output that follow from the control points. Returns false after an error,
+/// or a stop.
 bool BoundMaker::AddBounds(
   const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown, const std::string& name)
 {

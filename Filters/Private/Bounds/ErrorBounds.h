@@ -20,7 +20,7 @@ namespace subdivision
 {
 
 /// Bounds on the distance from the limit, of cells, and how far it is away from points of the
-/// input. Those of a point array have its name before.
+/// input. Arrays of a point array have its name before.
 constexpr const char* ErrorBoundName = "ErrorBound";
 constexpr const char* SmoothingDistanceName = "SmoothingDistance";
 
@@ -30,8 +30,8 @@ struct BoundedRun
   vtkPointSet* Input = nullptr;
   vtkPointSet* Output = nullptr; ///< gets the arrays
   int Levels = 0;
-  bool KnowsParts = false; ///< whether the runs on parts of a mesh give what they give on the whole
-  bool IsTetOct = false;   ///< whether solids are those of the tet/oct scheme
+  bool KnowsParts = false; ///< whether runs on parts of a mesh give the same as on the whole
+  bool IsTetOct = false;   ///< whether solids follow the tet/oct scheme
   bool HasThirds = false;  ///< whether two steps cut edges into thirds, and not one into halves
   /// Of these, for each cell of the output the number of its octahedron; null: there is none.
   vtkDataArray* Octahedra = nullptr;

@@ -202,8 +202,8 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
 }
 
 /// Equal tetrahedra have the same points, and so have the octahedra in them. These must be cut
-/// around the same diagonal, which follows from the order of the corners: it becomes that of the
-/// first.
+/// around the same diagonal, which follows from the order of the corners: it becomes the order of
+/// the first.
 void NestedPieces::AlignEqualTets()
 {
   using Corners = std::array<vtkIdType, MostCorners>;

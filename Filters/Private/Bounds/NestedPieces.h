@@ -53,7 +53,7 @@ public:
   /// another one.
   bool AreOf(vtkPointSet* mesh) const;
   bool HasTets() const { return this->Has[PatchShape::Tetrahedron] || this->HasTetOct(); }
-  /// Whether solids are those of the tet/oct scheme.
+  /// Whether solids follow the tet/oct scheme.
   bool HasTetOct() const
   {
     return std::any_of(this->Has.begin() + Lattice::TetOctTetrahedron, this->Has.end(),
@@ -82,8 +82,8 @@ public:
   }
   const Lattice& GetLattice(vtkIdType cell) const { return *this->Lattices[this->Kinds[cell] + 1]; }
 
-  /// A place is a point of a cell after all steps: those of a cell are from GetFirstPlace(cell) to
-  /// before that of the next cell, in the order of its lattice.
+  /// A place is a point of a cell after all steps: a cell has places from GetFirstPlace(cell) to
+  /// before the first one of the next cell, in the order of its lattice.
   vtkIdType GetNumberOfPlaces() const { return this->PlacePoints.size(); }
   vtkIdType GetFirstPlace(vtkIdType cell) const { return this->FirstPlaces[cell]; }
   vtkIdType GetPoint(vtkIdType place) const { return this->PlacePoints[place]; }

@@ -333,8 +333,8 @@ LatticePoint PieceLattice::GetPlaceInQuarter(int quarter, int point) const
   return place;
 }
 
-/// As any tetrahedron, but for neighbours. The order of corners of a quarter is such that its
-/// children lie in quarters and tetrahedra of the next levels (Mathematics 14).
+/// As any tetrahedron, but for neighbours. With their order of corners the children of a quarter
+/// lie in quarters and tetrahedra of the next levels (Mathematics 14).
 PieceLattice PieceLattice::MakeOfTetOct(int kind)
 {
   PieceLattice lattice = Make(PatchShape::Get(PatchShape::Tetrahedron));
@@ -374,8 +374,8 @@ PieceLattice PieceLattice::MakeOfTetOct(int kind)
   return lattice;
 }
 
-/// Finds the kinds of the children of a tet/oct solid, and gives those that are quarters the order
-/// of corners that quarters have: an end of the diagonal first, and the other one third.
+/// Finds the kinds of the children of a tet/oct solid, and gives quarters among them the order of
+/// corners that quarters have: an end of the diagonal first, and the other one third.
 void PieceLattice::TurnChildren()
 {
   this->ChildKinds.assign(this->Children.size(), TetOctTetrahedron);

@@ -23,7 +23,7 @@ struct PieceLattice
   static constexpr int DivisionsInThirds = 9;
   static constexpr int MostCorners = 4;
   using Weights = std::array<double, MostCorners>;
-  /// Some corners of a cell, a bit for each. Those of a vertex, an edge, a face or all are a face.
+  /// Some corners of a cell, a bit for each. A vertex, an edge, a face and the cell are faces.
   using Mask = unsigned;
 
   /// A point that a step makes in the middle of others, one of which may be there twice; -1 behind
@@ -40,21 +40,20 @@ struct PieceLattice
   std::vector<LatticePoint> Places; ///< where each point is
   std::vector<Weights> Points;      ///< each as weights of the corners of the cell
   std::vector<Mask> Faces;          ///< which face each point is inside of
-  /// The points of the pieces at each point, itself too; of a tet/oct solid those of its solids
-  /// there. In a quarter they may be points of other quarters, each of which has its points after
-  /// those of the one before: so they are less than 0, or more than its last one.
+  /// Of each point: itself, and the points that have a piece (in a tet/oct solid, one of its
+  /// solids) in common with it. They may lie in other quarters: point p of the quarter that is k
+  /// further on has the number p + k times the number of points of a quarter.
   std::vector<std::vector<int>> Neighbours;
   std::vector<int> Pieces; ///< the points of each piece, one after the other
   std::array<std::vector<Middle>, Steps + 1> Middles; ///< the points that each step makes
   /// Where the corners are, where the cell has one division.
   std::array<LatticePoint, MostCorners> CornerPlaces{};
-  /// What the first step makes of the cell, on the lattice of twice as many divisions; where edges
-  /// are cut into thirds what the second makes, on its own. The pieces of a child follow those of
-  /// the child before.
+  /// The children that the first step makes of the cell, on the lattice of twice as many divisions;
+  /// in thirds the ones of the second step, on its own lattice. Pieces come child by child.
   std::vector<LatticePart> Children;
   std::vector<int> ChildKinds;
-  /// Of a tet/oct solid: its points, and those of all quarters of its octahedron, by where they are
-  /// in the solid (TetOctPieces), numbered as in Neighbours.
+  /// Of a tet/oct solid: its points, and the points of all quarters of its octahedron, by their
+  /// places in it (TetOctPieces), numbered as in Neighbours.
   std::map<LatticePoint, int> PointsOfSolid;
 
   /// A child of a quarter: how many quarters further on it is, and its number there.
@@ -67,9 +66,9 @@ struct PieceLattice
   /// empty if a child is a tetrahedron.
   std::vector<QuarterChild> ListOctahedron(int child) const;
 
-  /// A kind is a PatchShape::Kind, or -1: a vertex, or one of those whose edges are cut into
-  /// thirds, or one of those of the tet/oct scheme: a tetrahedron, or a quarter of an octahedron,
-  /// of which the four follow each other.
+  /// A kind is a PatchShape::Kind, -1 for a vertex, or one of these: with edges cut into thirds, or
+  /// of the tet/oct scheme, a tetrahedron, or a quarter of an octahedron, whose four kinds follow
+  /// each other.
   enum OtherKind : int
   {
     CurveInThirds = PatchShape::NumberOfKinds,

@@ -186,8 +186,8 @@ void Sectors::ListSpots()
   }
 }
 
-/// In the last step rows of all kinds occur, and none that do not come again, such as that of a
-/// joint with neighbours that have no triangle with it.
+/// In the last step rows of all kinds occur, and none that later steps do not have, as the row of a
+/// joint with neighbours that have no triangle with it would be.
 void Sectors::FindInfluences(const Step& last)
 {
   this->Influences.resize(static_cast<std::size_t>(this->NumberOfFaces));
@@ -236,7 +236,7 @@ bool Sectors::IsInside(vtkIdType place) const
   return lattice.Faces[place - this->Pieces.GetFirstPlace(cell)] == lattice.GetWhole();
 }
 
-/// What lies between a point and a column of its row counts for the face that has the point.
+/// The face of a point depends on the face which spans that one and a column of the point's row.
 void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const
 {
   const Row<vtkIdType> places = this->PlacesOfPoints[point];
@@ -292,7 +292,7 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences)
   }
 }
 
-/// The corners of a cell that are those of a face of another one.
+/// The corners of a cell that are corners of a face of another one.
 Sectors::Mask Sectors::FindCorners(vtkIdType cell, vtkIdType of, Mask face) const
 {
   Mask corners = 0;
@@ -365,7 +365,7 @@ void Sectors::FindSectors(vtkIdType face)
     return Masks * cell + this->FindCorners(cell, from / Masks, static_cast<Mask>(from % Masks));
   };
   const Member any = *this->Holders[face].begin();
-  // All sectors have what the face itself depends on; so cells in that have no more.
+  // All sectors have the cells on which the face itself depends; these cells have no more.
   Ways waysOfAll;
   const Sector common = this->FollowInfluences(any, any, {}, waysOfAll);
   FaceSet facesOfAll;
@@ -440,8 +440,8 @@ Sectors::FaceSet Sectors::FindAhead(Ways& ways, vtkIdType face)
   return ahead;
 }
 
-/// From a face or cell on over rows of faces that have the face of a holder, but for those of
-/// `leftOut`. `ways` gets all ways between these faces.
+/// Follows influences from a face or cell on, over faces that have the face of a holder and are not
+/// in `leftOut`. `ways` gets all ways between these faces.
 Sectors::Sector Sectors::FollowInfluences(
   Member holder, Member from, const FaceSet& leftOut, Ways& ways) const
 {

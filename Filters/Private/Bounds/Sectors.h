@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Sectors.h
- * What the limit of a cell depends on next to each of its faces: the cells beyond a crease do not
- * count there (Mathematics 14).
+ * The cells on which the limit of a cell depends next to each of its faces: cells beyond a crease
+ * do not count there (Mathematics 14).
  */
 #ifndef SubdivisionObjects_Sectors_h
 #define SubdivisionObjects_Sectors_h
@@ -27,12 +27,13 @@ public:
   using Step = std::vector<const MatrixFactors::Matrix*>;
   using Mask = NestedPieces::Mask;
 
-  /// `last`: the last step of the pieces. What depends on what is read off its rows.
+  /// `last`: the last step of the pieces, whose rows tell all sectors.
   Sectors(const NestedPieces& pieces, const Step& last);
 
-  /// The limit next to a place of a cell depends on the points of the pieces at it that belong to
-  /// its sector. Calls whole(place) for the place in each cell of the sector, its own cell too; all
-  /// neighbours there belong to it. Of other cells calls rest(place) for the neighbours that do.
+  /// The limit next to a place of a cell depends on points that have a piece in common with it, in
+  /// its sector alone. Calls whole(place) for the place in each cell that is all in the sector, as
+  /// its own cell is: all neighbours there count. Of other cells calls rest(place) for each
+  /// neighbour in the face that is in the sector.
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
   /// A spot is a point in one of its sectors: the places there all have the same limit next to
@@ -82,7 +83,7 @@ private:
 
   /// A face of a cell, or all of it, as Masks * cell + mask.
   using Member = vtkIdType;
-  /// What a limit in a face depends on. Cells of which each depends on the other have one sector.
+  /// Faces and cells on which a limit in a face depends. Cells that depend on each other have one.
   struct Sector
   {
     std::vector<Member> Members; ///< with all faces that have the given one
@@ -127,7 +128,7 @@ private:
   Buffer<int> Numbers;               ///< of each holder, which of the sectors of its face it has
   Buffer<vtkIdType> Spots;           ///< of each place
   Buffer<vtkIdType> PlacesOfSpots;   ///< one of each
-  std::vector<vtkIdType> LargeSpots; ///< those at points of many places
+  std::vector<vtkIdType> LargeSpots; ///< at points of many places
 };
 
 /// Calls act(column, weight) for the columns of a row of the product of some factors.

@@ -39,8 +39,8 @@ void SplitAny(const Solid& solid, int steps, std::vector<Solid>& solids)
   }
 }
 
-/// Adds what some steps make of a solid. Children are written in the order of TetOctCells.h: first
-/// those of the parent's own shape.
+/// Adds the solids that some steps make of a solid. Children are written in the order of
+/// TetOctCells.h: first the ones of the parent's own shape.
 template <typename Shape>
 void Split(const Solid& solid, int steps, std::vector<Solid>& solids)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctPieces.h
- * What a few steps of the tet/oct scheme make of a tetrahedron and of an octahedron (Mathematics
- * 10), and where its points are among the cells that are written.
+ * The solids that a few steps of the tet/oct scheme make of a tetrahedron and of an octahedron
+ * (Mathematics 10), and where its points are among the cells that are written.
  */
 #ifndef SubdivisionObjects_TetOctPieces_h
 #define SubdivisionObjects_TetOctPieces_h

@@ -37,7 +37,7 @@ public:
   vtkIdType Get(const Place& place) const { return this->Points.at(place); }
 
 private:
-  using Axes = std::array<Place, 3>; ///< where those of TetOctPieces lead
+  using Axes = std::array<Place, 3>; ///< where the axes of TetOctPieces lead
   static Place Move(const Place& place, const Axes& axes);
   Axes FindAxes(vtkIdType first, const std::array<vtkIdType, 6>& vertices);
   void Read(vtkIdType first, bool isOct, const Axes& axes);

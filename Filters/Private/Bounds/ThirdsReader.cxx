@@ -123,8 +123,8 @@ private:
   bool Known;
 };
 
-/// In which triangle a part lies: in that of its centre, or it is at a corner. Then it is the child
-/// across the edge of its parent between that corner and the centre.
+/// In which triangle a part lies: in the triangle of its centre, or it is at a corner. Then it is
+/// the child across the edge of its parent between that corner and the centre.
 vtkIdType FindTriangle(
   const SortedCells& before, const SortedCells& between, const SortedCells& after, vtkIdType child)
 {
@@ -207,8 +207,8 @@ void PairOfSteps::FindLine(const Ends& line, const std::vector<Ends>& after, Lin
 }
 
 /// The part at a corner has the two points that are near it. Of the parts at the centre three join
-/// points that are near different corners: those of one edge. Leaves points at -1 where that is not
-/// so.
+/// points that are near different corners, the points of one edge. Leaves points at -1 where that
+/// is not so.
 void PairOfSteps::FindPoints(const std::vector<Triangle>& after, TriangleInThirds& found)
 {
   const auto has = [](const Triangle& part, vtkIdType point)

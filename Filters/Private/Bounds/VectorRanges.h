@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file VectorRanges.h
- * Ranges of vectors: what is known of a mean of them.
+ * Ranges of vectors: bounds on a mean of them.
  */
 #ifndef SubdivisionObjects_VectorRanges_h
 #define SubdivisionObjects_VectorRanges_h

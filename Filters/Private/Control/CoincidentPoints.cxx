@@ -30,7 +30,7 @@ namespace subdivision
 namespace
 {
 
-/// Whether two different ids among these are those of one point.
+/// Whether two different ids among these mean one point.
 template <typename T, typename Stand>
 bool Collapses(const T* begin, const T* end, const Stand& stand)
 {
@@ -90,7 +90,7 @@ private:
     return vtkDataArray::SafeDownCast(array) && !this->IsIgnored(data, array) &&
       (isKept || (array == data->GetTCoords() && this->Options.KeepsTexture));
   }
-  /// Ids, which are those of points and not their values, and normals, which a filter makes anew.
+  /// Ids, which name points and are no values of theirs, and normals, which a filter makes anew.
   static bool IsIgnored(vtkDataSetAttributes* data, vtkAbstractArray* array)
   {
     const std::string name = array->GetName() ? array->GetName() : "";
@@ -253,7 +253,7 @@ void Merger::Divide(const Group& group)
   }
 }
 
-/// Numbers what cells connect that have points of equal values.
+/// Numbers the parts that cells with points of equal values connect.
 void Merger::NumberParts()
 {
   Sets sets(this->Equals.size());
@@ -383,7 +383,7 @@ void Merger::ChangeIds(std::size_t mesh, vtkPointSet* merged)
     });
 }
 
-/// Says what the points became that cells had and have no more.
+/// Tells which points took the places of points that cells had and have no more.
 void Merger::AddStands(std::size_t mesh, vtkPointSet* merged) const
 {
   const vtkIdType begin = this->Starts[mesh];
@@ -399,7 +399,7 @@ void Merger::AddStands(std::size_t mesh, vtkPointSet* merged) const
   merged->GetPointData()->AddArray(stands);
 }
 
-/// Writes means, and leaves out texture coordinates that would be those of one side.
+/// Writes means, and leaves out texture coordinates that would come from one side.
 void Merger::ChangeArrays(std::size_t mesh, vtkPointSet* merged) const
 {
   vtkPointData* data = merged->GetPointData();

@@ -24,13 +24,13 @@ namespace subdivision
 
 struct MergeOptions
 {
-  double Tolerance = 0.; ///< a part of the diagonal of the box of all points
+  double Tolerance = 0.; ///< a fraction of the diagonal of the box of all points
   MergedValues Values = MergedValues::First;
   bool InterpolateIntegers = false;
   bool JoinsBlocks = true;
   /// Whether the filter can join points of equal coordinates itself (SurfaceSeams.h), so that
-  /// points of different values may stay apart; and whether those of texture coordinates do in any
-  /// case.
+  /// points of different values may stay apart; and whether points of different texture coordinates
+  /// do in any case.
   bool HasSeams = false;
   bool KeepsTexture = false;
   /// Whether values are kept as copies of points between which they jump (MaterialFields.h).
@@ -38,12 +38,12 @@ struct MergeOptions
 };
 
 /**
- * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points:
- * of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
- * global id (its index, where there are none). With a tolerance the points of all blocks get the
- * least coordinates of their group. Points without cells take no part. The others stay until
- * RemoveMergedPoints, so that ids stay; MergedPointsName says what they became. Polyhedra that have
- * two points at one place keep them.
+ * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points.
+ * Of points that are near each other (FindFirstOfNear) all cells have the one with the smallest
+ * global id, or without ids the first. With a tolerance the points of all blocks get the least
+ * coordinates of their group. Points without cells take no part. The others stay until
+ * RemoveMergedPoints, so that ids stay; MergedPointsName says which point each became. Polyhedra
+ * that have two points at one place keep them.
  *
  * With MergedValues::Keep points of different values stay points of their own: of HasSeams as they
  * are; of HasCopies as copies, of which MaterialPointIds tells, and the cell array MergedPartsName
@@ -54,7 +54,7 @@ struct MergeOptions
 vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(
   vtkDataObject* readable, const MergeOptions& options, std::vector<std::string>& warnings);
 
-/// For a block, by its flat index: the point of the input that each point of what remains is.
+/// For a block, by its flat index: the point of the input that each remaining point is.
 using PointSources = std::map<unsigned int, std::vector<vtkIdType>>;
 
 /// Removes the points that were merged with others; `change(mesh, copy)` may add arrays to a copy
@@ -63,15 +63,15 @@ vtkSmartPointer<vtkDataObject> RemoveMergedPoints(vtkDataObject* merged,
   const std::function<void(vtkPointSet*, vtkPointSet*)>& change,
   const std::function<void(const std::string&)>& warn, PointSources& sources);
 
-/// A mesh like this one, whose points are those of the same ids in `merged` (or in a mesh without
-/// global ids of the same index), with the ids that these have after RemoveMergedPoints.
+/// A mesh like this one, whose points have the same ids as points of `merged` (without global ids
+/// the same index); it gets the ids that these have after RemoveMergedPoints.
 vtkSmartPointer<vtkPointSet> FollowMergedPoints(vtkPointSet* mesh, vtkDataObject* merged);
 
-/// Begins an operator, if there is one, on the points of a mesh with the choice of those that
-/// remain.
+/// Begins an operator, if there is one, on the points of a mesh with the choice of remaining
+/// points.
 void AppendSources(const PointSources& sources, vtkDataObject* mesh, MatrixFactors* factors);
 
-/// Makes original ids of points in an output those of the points before any was removed.
+/// Makes original ids of points in an output the ids before any point was removed.
 void RestoreOriginalPoints(vtkDataObject* output, const PointSources& sources);
 
 }

@@ -17,8 +17,8 @@ namespace subdivision
 namespace
 {
 
-/// Splits runs at simplex `at`: `runs` keeps those before it. Those from it on are returned, with
-/// cells that count from 0.
+/// Splits runs at simplex `at`: `runs` keeps the runs before it. The runs from it on are returned,
+/// with cells that count from 0.
 std::vector<CellRun> SplitRuns(std::vector<CellRun>& runs, vtkIdType at)
 {
   std::vector<CellRun> before;
@@ -59,8 +59,8 @@ SimplicialComplex<Id> BuildComplexWith(const SimplexList& simplices, ControlTrai
   return complex;
 }
 
-/// The sharpness of derived simplices of a dimension; empty if all are infinite. `known` has that
-/// of marked ones.
+/// The sharpness of derived simplices of a dimension; empty if all are infinite. `known` has the
+/// sharpness of marked ones.
 std::vector<double> FindDerivedSharpness(
   const SharpTuples& known, const std::vector<vtkIdType>& tuples, int dimension)
 {
@@ -115,7 +115,7 @@ std::vector<bool> FindSemiSharpFaces(const ControlMesh& mesh, const ControlCompl
 }
 
 /// Finds the singular simplices that follow from embedded cells, materials and angles (Mathematics
-/// 7). Those of a stamped mesh were derived by an earlier filter and are taken over.
+/// 7). In a stamped mesh an earlier filter derived them, and they are taken over.
 template <typename Id>
 SharpTuples Derive(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, ControlComplex<Id>& control)
@@ -230,7 +230,7 @@ std::vector<vtkIdType> NumberSolids(
   return numbers;
 }
 
-/// Adds the sharpness of derived lines and triangles to that of edges and faces.
+/// Adds the sharpness of derived lines and triangles to the sharpness of edges and faces.
 template <typename Id>
 void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& control)
 {
@@ -425,8 +425,8 @@ typename Scheme::Level BuildSharpLevel(
 namespace
 {
 
-/// What is left after `steps` steps of the sharpness of control simplices, for `size` simplices of
-/// a level. The pieces of control simplex i are the 2^shift ones from i 2^shift on.
+/// The sharpness of control simplices that is left after `steps` steps, for `size` simplices of a
+/// level. The pieces of control simplex i are the 2^shift ones from i 2^shift on.
 Buffer<double> GiveToPieces(const std::vector<double>& values, int shift, int steps, vtkIdType size)
 {
   Buffer<double> left;

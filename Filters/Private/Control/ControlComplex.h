@@ -40,7 +40,7 @@ struct ControlComplex : ControlTraits
 using WarnFunction = std::function<void(const std::string&)>;
 
 /// `points` are coordinates of the control points, read for features and for points at one place;
-/// `warn` gets messages on these and on flags that contradict each other; `depth` is that of the
+/// `warn` gets messages on these and on flags that contradict each other; `depth` is for the
 /// current level. Returns false if the stamp is wrong: its levels do not lead from the control mesh
 /// to the simplices that were read, or the mesh does not have its singular simplices.
 template <typename Id>
@@ -75,7 +75,7 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
 std::vector<unsigned char> RefineFlags(
   const SimplexList& simplices, int levels, const std::vector<unsigned char>& flags);
 
-/// Collects the singular simplices: the derived ones, and those with a flag; `flags` has one for
+/// Collects the singular simplices: the derived ones, and the flagged ones; `flags` has one for
 /// each simplex that was read.
 template <typename Id>
 SingularSimplices CollectSingular(const SimplicialComplex<Id>& complex, const ControlTraits& traits,

@@ -30,7 +30,7 @@ struct ControlMesh
   FeatureValues Values; ///< of the control simplices
   /// Singular simplices among them that are marked, or that an earlier filter derived.
   SharpTuples Derived;
-  /// Control simplices of negative and of no volume, as FindInvertedTets gives them; first those
+  /// Control simplices of negative and of no volume, as FindInvertedTets gives them; first the ones
   /// that an earlier filter found.
   std::vector<vtkIdType> Inverted;
   std::vector<vtkIdType> GlobalIds; ///< of the first control points; empty: the index is used

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Features.h
- * What the user says about singularities, materials and joints: options, and cell arrays read as
- * one value for each simplex.
+ * Singularities, materials and joints as the user wants them: options, and cell arrays read as one
+ * value for each simplex.
  */
 #ifndef SubdivisionObjects_Features_h
 #define SubdivisionObjects_Features_h
@@ -96,7 +96,7 @@ bool LiftFeatureValues(
 /// the cache compares which edges are features.
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values);
 
-/// Options for BuildStrata; `runs` are those of the simplices that the values belong to.
+/// Options for BuildStrata; `runs` are runs of the simplices that the values belong to.
 template <typename Id>
 StrataOptions MakeStrataOptions(const FeatureOptions& options, const FeatureValues& values,
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs);

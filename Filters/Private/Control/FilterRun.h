@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FilterRun.h
- * What RequestData does alike in all filters: it connects the work of one filter on one input to
- * VTK.
+ * The part of RequestData that is alike in all filters: it connects the work of one filter on one
+ * input to VTK.
  */
 #ifndef SubdivisionObjects_FilterRun_h
 #define SubdivisionObjects_FilterRun_h
@@ -31,23 +31,23 @@ extern VTKSUBDIVISIONOBJECTS_EXPORT std::string (*Translate)(
 void Warn(vtkObject* filter, const std::string& text);
 void Fail(vtkObject* filter, const std::string& text);
 
-/// What filters that run alike say and do differently.
+/// The differences of filters that run alike.
 struct FilterTraits
 {
   /// The error message where the input or the output is missing, or is of another type.
   const char* WrongInput;
-  /// What duplicate cells of the input mean for the result; null or empty: the filter does not warn
+  /// A text on the result of duplicate cells of the input; null or empty: the filter does not warn
   /// of them.
   const char* Ghosts = nullptr;
-  /// For what there may be too little memory, and what helps then.
+  /// A text on data for which there may be too little memory, and on remedies.
   std::string Memory;
-  /// What the output is after an error: the input, or else empty. An input without points is worked
-  /// on only in the first case. After a stop it is empty.
+  /// Whether the output after an error is the input; else it is empty. An input without points is
+  /// worked on only in the first case. After a stop it is empty.
   bool FallsBackToInput = false;
 };
 
 /// Does the work of one filter: reads the arrays of the input, and writes the output. Returns
-/// whether it finished. It may be called with other data sets than those of the pipeline.
+/// whether it finished. It may be called with other data sets than the pipeline's.
 using FilterWork = std::function<bool(vtkPointSet*, vtkPointSet*)>;
 
 /// Sets the functions of `options` for messages and for the progress of this part of the work; Fail
@@ -62,9 +62,9 @@ std::string DescribeThinLayers(vtkPointSet* mesh, int wanted, bool rulesAreLocal
 /// ends where it must stop. Returns whether it finished.
 bool DoWork(const FilterTraits& traits, RunOptions& options, const std::function<bool()>& work);
 
-/// Sets the functions of `options` for messages and progress, and calls `work`. Returns what
-/// RequestData returns. An error or too little memory lead to the output that `traits` says, a user
-/// who stops the filter to an empty one.
+/// Sets the functions of `options` for messages and progress, and calls `work`. Returns the result
+/// for RequestData. An error or too little memory lead to the output that `traits` says, a user who
+/// stops the filter to an empty one.
 int RunFilter(vtkAlgorithm* filter, vtkPointSet* input, vtkPointSet* output,
   const FilterTraits& traits, RunOptions& options, const FilterWork& work);
 

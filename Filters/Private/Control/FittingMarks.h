@@ -18,7 +18,7 @@
 namespace subdivision
 {
 
-/// The warning of what was left out, where the output would have more cells than `most`.
+/// The warning of marks that were left out, where the output would have more cells than `most`.
 inline std::string DescribeLeftOut(vtkIdType left, vtkIdType most, bool memoryIsLimit)
 {
   return std::to_string(left) +
@@ -48,7 +48,7 @@ std::size_t FindFittingCount(std::size_t marks, const Try& fitsWith)
 }
 
 /// The same for the marks of one of several partitions, the largest errors first: finds an error
-/// above which those of all partitions fit, so that the result is the same for any partition.
+/// above which the marks of all partitions fit, so that the result is the same for any partition.
 template <typename Mark, typename Try>
 std::size_t FindFittingError(const std::vector<Mark>& marks, Partners& others, const Try& fitsWith)
 {

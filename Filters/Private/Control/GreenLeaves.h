@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GreenLeaves.h
- * The field array from which the cells can be told that red-green refinement split green, and what
- * becomes of it where some cells of a mesh, or those of several meshes, become another one.
+ * The field array from which the cells can be told that red-green refinement split green, and its
+ * change where some cells of a mesh, or of several meshes, become another one.
  */
 #ifndef SubdivisionObjects_GreenLeaves_h
 #define SubdivisionObjects_GreenLeaves_h
@@ -21,12 +21,12 @@ namespace subdivision
 
 /// The cell array with the leaf that a green cell is a part of, -1 for others.
 constexpr const char* GreenParentName = "GreenParent";
-/// The field array with the leaves: four points, and those on the edges 01, 02, 03, 12, 13, 23; -1
-/// for none.
+/// The field array with the leaves: four points, and the points on the edges 01, 02, 03, 12, 13,
+/// 23; -1 for none.
 constexpr const char* LeavesName = "RedGreenLeaves";
 constexpr int LeafComponents = 10;
 
-/// The leaves of a mesh. There are none if an array is missing, or is not what it should be.
+/// The leaves of a mesh. There are none if an array is missing, or has another form.
 class GreenLeaves
 {
 public:

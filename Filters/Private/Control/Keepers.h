@@ -53,7 +53,7 @@ public:
 
 private:
   vtkIdType Share;
-  std::vector<int> Partitions; ///< those that have a mesh
+  std::vector<int> Partitions; ///< that have a mesh
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KeptEntries.h
- * What a filter keeps between executions: an entry for each mesh that it saw in its last update.
+ * The memory of a filter between executions: an entry for each mesh that it saw in its last update.
  */
 #ifndef SubdivisionObjects_KeptEntries_h
 #define SubdivisionObjects_KeptEntries_h
@@ -29,7 +29,7 @@ public:
       [&fits](const std::unique_ptr<Entry>& entry) { return fits(*entry); });
     return found == this->Entries.end() ? nullptr : found->get();
   }
-  /// The same among those that are not used yet. Where each entry serves one input of an update,
+  /// The same among entries that are not used yet. Where each entry serves one input of an update,
   /// two blocks with equal cells each keep one with their own points.
   template <typename Fits>
   Entry* FindUnused(const Fits& fits) const

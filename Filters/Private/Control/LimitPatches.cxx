@@ -19,7 +19,7 @@ namespace
 using Vector = std::array<double, 3>;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double Rounding = 1e-14;            ///< of limits, as a part of the largest coordinate
+constexpr double Rounding = 1e-14;            ///< of limits, by the largest coordinate
 constexpr int MostSplits = 24;                ///< of a cell
 constexpr double Farthest = 1e14;             ///< sizes, beyond which only the direction counts
 constexpr vtkIdType Width = 4;                ///< children of a box
@@ -57,7 +57,7 @@ const LimitPatches::Shape& LimitPatches::GetShape(PatchKind kind)
   return shapes[static_cast<std::size_t>(kind)];
 }
 
-/// For one point: what was found, and which patches have to be split before more can be said.
+/// For one point: the places found so far, and the patches to split before more can be said.
 struct LimitPatches::Search
 {
   explicit Search(const Vector& point)
@@ -74,7 +74,7 @@ struct LimitPatches::Search
     }
     this->Least = std::min(this->Least, score);
   }
-  /// The place, and those in other cells that may be nearer still.
+  /// The place, and places in other cells that may be nearer still.
   std::vector<NearestPlace> ListPlaces()
   {
     std::vector<NearestPlace> places{ this->Place };
@@ -97,7 +97,7 @@ struct LimitPatches::Search
   const PlaceScore Of;
   NearestPlace Place;
   double Least = Infinity;
-  std::vector<std::pair<double, vtkIdType>> Requests;  ///< with what score they may have
+  std::vector<std::pair<double, vtkIdType>> Requests;  ///< with the score that they may have
   std::vector<std::pair<double, NearestPlace>> Others; ///< likewise, in patches that are not split
 };
 
@@ -212,7 +212,7 @@ std::vector<Vector> LimitPatches::FindCorners()
 }
 
 /// One patch for each cell, which is not known yet. The limit over a cell is not farther away from
-/// the limits at its corners, and at those of its neighbours, than these are from each other.
+/// the limits at its corners, and at the corners of its neighbours, than these are from each other.
 void LimitPatches::MakeRoots()
 {
   const std::vector<Vector> corners = this->FindCorners();

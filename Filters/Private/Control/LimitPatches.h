@@ -30,10 +30,10 @@ public:
   LimitPatches(const SearchedCells& cells, const EvaluatePlaces& evaluate);
 
   /// The places at which searches for each point begin: the nearest one, to within 1e-6 of the size
-  /// of all patches, and those in other cells that may be nearer still. Of equally near ones that
-  /// in the cell with the smallest number is the first. None without patches, and for a point that
-  /// is not finite. A point from which more than ten thousand patches are nearly equally far may
-  /// get another of these.
+  /// of all patches, and places in other cells that may be nearer still. Of equally near ones the
+  /// one in the cell with the smallest number is the first. None without patches, and for a point
+  /// that is not finite. A point from which more than ten thousand patches are nearly equally far
+  /// may get another of these.
   std::vector<std::vector<NearestPlace>> Find(const std::vector<std::array<double, 3>>& points);
 
   /// A point from which the same place is the nearest one, but for rounding, and whose distance can
@@ -81,8 +81,8 @@ private:
   const EvaluatePlaces& Evaluate;
   Vector Middle{};  ///< of all patches
   double Size = 1.; ///< and how large they are; patches have this size 1
-  /// What a polynomial may leave out, as searches go on from places: a part of the size, or what
-  /// limits are rounded by.
+  /// The distance that a polynomial may have, as searches go on from places: a fraction of the
+  /// size, or the rounding of limits.
   double Enough = 1e-6;
   std::vector<Patch> Patches;
   Buffer<vtkIdType> Order;         ///< of cells with patches along a curve

@@ -20,7 +20,7 @@ namespace subdivision
 namespace
 {
 
-/// Points are the same that differ by less than this part of the mesh's diagonal.
+/// Points are the same that differ by less than this fraction of the mesh's diagonal.
 constexpr double Tolerance = 1e-6;
 constexpr double Forever = std::numeric_limits<double>::infinity();
 
@@ -149,7 +149,7 @@ void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions
   const std::vector<vtkIdType> meshIds =
     ReadIdsOf(input->GetPointData(), input->GetNumberOfPoints());
   const std::vector<vtkIdType> points = FindPoints(input, geometry, meshIds, options.ByIds);
-  std::vector<vtkIdType> order(points); // that of the mesh decides on diagonals
+  std::vector<vtkIdType> order(points); // the order of the mesh decides on diagonals
   for (vtkIdType& id : order)
   {
     id = id >= 0 && !meshIds.empty() ? meshIds[id] : id;

@@ -13,7 +13,7 @@ namespace subdivision
 {
 
 /// Adds the simplices of `mesh`, which was read from `input`, that are cells of options.Geometry.
-/// Its polygons are cut as those of the mesh; lines have the sharpness of its cell array
+/// Its polygons are cut as polygons of the mesh; lines have the sharpness of its cell array
 /// `Sharpness`, if there is one. `warn` is told of cells that lie on none.
 void MarkGeometry(vtkPointSet* input, const SimplexView& mesh, const MarkOptions& options,
   const std::function<void(const std::string&)>& warn, SharpTuples& tuples);

@@ -172,7 +172,7 @@ std::map<SimplexKey, double> ToMap(const SharpTuples& tuples, int dimension)
   return keys;
 }
 
-/// Sorts tuples and drops those that come again.
+/// Sorts tuples and drops repeated ones.
 void MakeUnique(SharpTuples& tuples)
 {
   SharpTuples sorted;

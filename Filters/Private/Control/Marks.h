@@ -27,18 +27,18 @@ namespace subdivision
 
 struct MarkOptions
 {
-  // What marked points make singular.
+  // The simplices that marked points make singular.
   bool Corners = true;   ///< themselves
   bool Creases = false;  ///< edges between two of them
   bool Surfaces = false; ///< faces that have no other points
   // Who marks; null: nobody.
   vtkSmartPointer<vtkDataArray> Array;           ///< of points: not 0
   vtkSmartPointer<vtkDataArray> SelectedPoints;  ///< not 0
-  vtkSmartPointer<vtkDataArray> SelectedCells;   ///< not 0; cells are what they are
+  vtkSmartPointer<vtkDataArray> SelectedCells;   ///< not 0; no solids
   vtkSmartPointer<vtkDataArray> Sharpness;       ///< of points; null: all stay for ever
   vtkSmartPointer<vtkImplicitFunction> Function; ///< of points: not positive
   vtkSmartPointer<vtkPointSet> Geometry;         ///< vertices, lines and polygons
-  bool ByIds = false; ///< points of the geometry are those of the same global id, or index
+  bool ByIds = false; ///< points of the geometry and the mesh match by global id, or index
 
   bool FacesStay = false; ///< for ever, whatever their sharpness is
   bool TellsLost = true;  ///< of cells of the geometry that do not lie on the mesh
@@ -68,9 +68,8 @@ struct SharpTuples
 
 /**
  * The singular simplices that marks make of a mesh, each once, sorted by their points. `cells` are
- * those of `input`. Edges and faces are those of the input's cells: cuts through these do not
- * count, but for cells that are cut along their nodes. `warn` gets messages on marks without
- * effect.
+ * the cells of `input`. Edges and faces of the input's cells count: cuts through cells do not, but
+ * for cells that are cut along their nodes. `warn` gets messages on marks without effect.
  */
 SharpTuples FindMarkedSimplices(vtkPointSet* input, const SimplicesOfCells& cells,
   const MarkOptions& options, const std::function<void(const std::string&)>& warn);

@@ -201,7 +201,7 @@ using Ids = std::vector<vtkIdType>;
 class AllMaterials
 {
 public:
-  /// What one partition tells: the number of its materials, their keys, and its meetings.
+  /// The message of one partition: the number of its materials, their keys, and its meetings.
   static Ids Tell(const Ids& keys, const Meetings& meetings)
   {
     Ids told{ static_cast<vtkIdType>(keys.size()) };
@@ -234,8 +234,8 @@ public:
     this->Colours.resize(this->Keys.size());
     this->NumberOfColours = ChooseColours(meetings, this->Colours);
   }
-  /// What a partition is answered: the numbers of all colours and materials, and those of its
-  /// materials.
+  /// The answer to a partition: the numbers of all colours and materials, and the colours and
+  /// numbers of its materials.
   Ids Answer(const Ids& told) const
   {
     Ids answer{ this->NumberOfColours, static_cast<vtkIdType>(this->Keys.size()) };
@@ -260,7 +260,7 @@ private:
   int NumberOfColours = 1;
 };
 
-/// What AllMaterials::Answer says: the first partition chooses the colours of all materials.
+/// The answer of AllMaterials: the first partition chooses the colours of all materials.
 Ids ChooseTogether(const Ids& keys, const Meetings& meetings, Partners& partners)
 {
   const int first = partners.FindFirst();

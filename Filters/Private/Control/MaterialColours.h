@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MaterialColours.h
- * Colours of materials, so that those which have points of one simplex have different ones.
+ * Colours of materials: materials that have points of one simplex have different ones.
  */
 #ifndef SubdivisionObjects_MaterialColours_h
 #define SubdivisionObjects_MaterialColours_h
@@ -22,11 +22,11 @@ namespace subdivision
 class Partners;
 
 /// The simplices of a mesh, and the colour of the material of each: materials that have points of
-/// one simplex have different ones, and those of cells that are faces of others have NoColour.
+/// one simplex have different ones, and cells that are faces of others have NoColour.
 struct ColouredSimplices
 {
-  /// `materials` are those of cells. `others`: the other partitions of the mesh, which call this
-  /// too, and in which materials have the same colours; null: there are none.
+  /// `materials` are the materials of cells. `others`: the other partitions of the mesh, which call
+  /// this too, and in which materials have the same colours; null: there are none.
   ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials, Partners* others);
   vtkIdType GetSize() const { return this->Cells.Simplices.GetNumberOfSimplices(); }
   int GetDimension(vtkIdType i) const { return this->Cells.Simplices.Dimensions[i]; }
@@ -34,7 +34,7 @@ struct ColouredSimplices
   {
     return this->Cells.ParentCells.empty() ? i : this->Cells.ParentCells[i];
   }
-  /// The points of a simplex; those that the mesh does not have are centres of cells.
+  /// The points of a simplex; points that the mesh does not have are centres of cells.
   Row<vtkIdType> GetPoints(vtkIdType i) const
   {
     const vtkIdType* ids = this->Cells.Simplices.Connectivity.data();
@@ -50,7 +50,7 @@ struct ColouredSimplices
   std::vector<vtkIdType> Offsets; ///< of the points of each simplex
   std::vector<int> Colours;       ///< of each simplex
   int NumberOfColours = 1;
-  /// The number of the material of each simplex among those of all partitions; -1 where it has no
+  /// The number of the material of each simplex among all materials of all partitions; -1: no
   /// colour.
   std::vector<int> Materials;
   int NumberOfMaterials = 1;

@@ -137,7 +137,7 @@ private:
     return mesh;
   }
 
-  /// Removes arrays that have names of those which are added.
+  /// Removes arrays with the names of arrays that are added.
   void RemoveReserved(const RunOptions& options)
   {
     for (vtkFieldData* data : { static_cast<vtkFieldData*>(this->Mesh->GetPointData()),
@@ -222,7 +222,7 @@ private:
     }
   }
 
-  /// The values of a point array: those of the first cell of a material at a point.
+  /// The values of a point array: from the first cell of a material at a point.
   void AddFields(vtkDataArray* array)
   {
     const int size = array->GetNumberOfComponents();
@@ -385,7 +385,7 @@ public:
   }
 
 private:
-  /// The colours of cells, and those of all cells at each point.
+  /// The colours of cells, and of all cells at each point.
   void FindColours()
   {
     vtkDataArray* colours = this->Output->GetCellData()->GetArray(ColourName);

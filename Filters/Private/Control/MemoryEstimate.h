@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MemoryEstimate.h
- * What the work of a filter was expected to need, kept for the message that it was not enough. The
- * bodies stand in SizeChecks.cxx, whose checks keep what they estimate.
+ * The memory that the work of a filter was expected to need, kept for the message that it was not
+ * enough. The bodies stand in SizeChecks.cxx, whose checks keep their estimates.
  */
 #ifndef SubdivisionObjects_MemoryEstimate_h
 #define SubdivisionObjects_MemoryEstimate_h

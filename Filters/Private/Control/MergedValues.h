@@ -18,7 +18,7 @@ class vtkAbstractArray;
 namespace subdivision
 {
 
-/// What they become.
+/// The values that merged points get.
 enum class MergedValues
 {
   First,
@@ -47,7 +47,7 @@ struct Replaced
 /// By the names of arrays.
 using ReplacedValues = std::map<std::string, Replaced>;
 
-/// Warns of values that are replaced by those of the first point, and of texture coordinates.
+/// Warns of values that are replaced by values of the first point, and of texture coordinates.
 void DescribeReplaced(
   const ReplacedValues& replaced, MergedValues rule, std::vector<std::string>& warnings);
 /// Warns of cells with points that become one, and of points of one part that keep no values.

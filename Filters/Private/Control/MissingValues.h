@@ -28,7 +28,7 @@ bool RunWithMissingValues(vtkPointSet* input, vtkPointSet* output, RunOptions& o
   const std::function<bool(vtkPointSet*, vtkPointSet*)>& work);
 
 /// Notes that RefineByAttributeError leaves out these edges (pairs of points), because the array
-/// has no value there; `where`: at what of an edge it has none.
+/// has no value there; `where`: words after "is not finite".
 void NoteEdgesWithoutValue(std::vector<std::pair<vtkIdType, vtkIdType>>& edges, vtkDataArray* array,
   const char* where, const RunOptions& options);
 

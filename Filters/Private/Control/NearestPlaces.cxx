@@ -34,7 +34,7 @@ constexpr int MostRounds = 30;               ///< from cell to cell
 constexpr std::size_t MostSearches = 16384;  ///< in cells for each point, on average
 constexpr std::size_t PointsAtATime = 16384; ///< bounds the memory of searches
 constexpr double FoundInside = 1e-10;        ///< of the size: a distance that is rounding
-constexpr double Beside = 1e-4; ///< of the size: where boundaries do not tell what lies inside
+constexpr double Beside = 1e-4; ///< of the size: where boundaries do not tell the inside
 
 class Finder
 {
@@ -144,8 +144,8 @@ private:
     }
   }
 
-  /// Searches anew, so that places in solids count which are nearer than those before in the same
-  /// search, and takes what is nearest of all.
+  /// Searches anew, so that places in solids count which are nearer than places before in the same
+  /// search, and takes the nearest of all.
   void ImproveInSolids(std::vector<PlaceSearch>&& searches)
   {
     const std::vector<NearestPlace> best = this->Best;
@@ -165,8 +165,8 @@ private:
     }
   }
 
-  /// Of some points those that lie in flat pieces of solids; with `isBeside` those of which a place
-  /// on the boundary is so near that they may lie inside nevertheless.
+  /// Starts at points that lie in flat pieces of solids; with `isBeside` at points with a place on
+  /// the boundary so near that they may lie inside nevertheless.
   std::vector<PlaceSearch> StartInSolids(const SolidPieces& solids,
     const std::vector<std::size_t>& points, double size, bool isBeside) const
   {

@@ -29,7 +29,7 @@ namespace subdivision
 
 struct RunOptions;
 
-/// Where places are searched: a view of simplices, or of quads in place of triangles.
+/// Where places are searched: a view of simplices, or of quads instead of triangles.
 struct SearchedCells
 {
   vtkIdType NumberOfPoints;
@@ -71,7 +71,7 @@ std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataS
 bool CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells,
   const RunOptions& options, std::vector<vtkIdType>& missing);
 
-/// What the output says of a nearest place.
+/// A nearest place in the output.
 struct PlaceInCell
 {
   vtkIdType Cell = -1;                                   ///< of the input

@@ -24,8 +24,8 @@ public:
 };
 
 /**
- * What the work on one partition knows of the others. The mesh that the work gets has the cells of
- * the partition, its own, and copies of cells of others around them.
+ * The other partitions, as the work on one partition knows them. The mesh that the work gets has
+ * the cells of the partition, its own, and copies of cells of others around them.
  *
  * All partitions call the functions below the line in the same order. A partition may stop at any
  * time: its work returns false, or throws; then these functions throw PartnersStopped in the
@@ -52,8 +52,8 @@ public:
   /// Delivers messages, by the number of the partition that they go to, and then come from. Returns
   /// false if no partition had any.
   virtual bool Send(Messages& messages) = 0;
-  /// The values of all partitions, which are not negative; -1 for those without a mesh, which send
-  /// nothing and lose what they get.
+  /// The values of all partitions, which are not negative; -1 for partitions without a mesh, which
+  /// send nothing and lose all messages.
   virtual std::vector<vtkIdType> Gather(vtkIdType own) = 0;
   /// The sum of such values.
   vtkIdType Sum(vtkIdType own);
@@ -61,9 +61,9 @@ public:
   int FindFirst();
   /// Sets each value to the largest that a partition has. All bring the same number of values.
   void FindLargest(std::vector<double>& values);
-  /// Replaces values in one partition by those of all, in the order of these; elsewhere by none.
+  /// Replaces values in one partition by all values, in the order of partitions; elsewhere by none.
   void BringTo(int one, std::vector<double>& values);
-  /// Replaces values by those of one partition.
+  /// Replaces values by the values of one partition.
   void TakeFrom(int one, std::vector<double>& values);
 };
 

@@ -82,7 +82,7 @@ public:
       std::copy_n(part.Factors.data() + Number(0, j), size + 1, row.begin());
       for (int t = 0; t <= size; ++t)
       {
-        // Steps of de Casteljau: row[t] is the middle of all up to t, row[size] that of the rest.
+        // Steps of de Casteljau: row[t] is the middle of all up to t, row[size] of the rest.
         this->Put(first, true, size - t, t, j, row[0]);
         this->Put(second, false, t, size - t, j, row[size - t]);
         for (int i = 0; i + t < size; ++i)

@@ -3,7 +3,7 @@
  * @file PatchMinimum.h
  * The least value of a polynomial over a line, triangle or quad.
  *
- * The factors of its Bernstein polynomials are bounds, and those at corners are values. The part
+ * The factors of its Bernstein polynomials are bounds, and factors at corners are values. The part
  * with the smallest bound is halved until no bound is below the least value but for a tolerance.
  */
 #ifndef SubdivisionObjects_PatchMinimum_h
@@ -26,8 +26,8 @@ using PatchFrame = std::array<std::array<double, 2>, 3>;
 
 constexpr PatchFrame WholePatch{ { { { 0., 0. } }, { { 1., 0. } }, { { 0., 1. } } } };
 
-/// The factors of a polynomial: that of the i-th along the first axis and the j-th along the second
-/// one at PatchSide * j + i. Those of a line have j = 0, those of a triangle i + j <= degree.
+/// The factors of a polynomial: the i-th one along the first axis and the j-th along the second is
+/// at PatchSide * j + i. Lines have j = 0, triangles i + j <= degree.
 constexpr int PatchSide = 9;
 using PatchFactors = std::array<double, PatchSide * PatchSide>;
 

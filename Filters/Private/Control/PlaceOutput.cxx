@@ -146,8 +146,8 @@ SparseRows<vtkIdType> AppendedRows::Finish()
 namespace
 {
 
-/// The arrays of places follow those of the mesh. Where both have a name, that of the place ends
-/// with OfPlace.
+/// The arrays of places follow the arrays of the mesh. Where both have a name, the array of places
+/// ends with OfPlace.
 void AddArraysOfPlaces(vtkDataSet* places, vtkPolyData* output)
 {
   vtkDataSetAttributes* from = places->GetPointData();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceOutput.h
- * Places at which the limit is asked for, and what the answer has besides the arrays of the mesh:
+ * Places at which the limit is asked for, and arrays of the answer besides the arrays of the mesh:
  * derivatives, normals and curvatures.
  */
 #ifndef SubdivisionObjects_PlaceOutput_h
@@ -28,13 +28,13 @@ namespace subdivision
 
 struct RunOptions;
 
-/// Places at which the limit is asked for, in cells of the input, and what gets it.
+/// Places at which the limit is asked for, in cells of the input, and the mesh that gets it.
 struct PlaceRequest
 {
   vtkIdTypeArray* Cells = nullptr;
   vtkDataArray* Parameters = nullptr; ///< three components
   vtkPolyData* Output = nullptr;
-  /// If not null, places are those nearest to its points, and the arrays above are not read.
+  /// If not null, places are the ones nearest to its points, and the arrays above are not read.
   vtkDataSet* Targets = nullptr;
 };
 
@@ -79,7 +79,7 @@ private:
   double* Gaussian = nullptr;
 };
 
-/// Rows of some places after those of others. Together they may have more entries than an int
+/// Rows of some places after rows of others. Together they may have more entries than an int
 /// counts.
 class AppendedRows
 {
@@ -110,8 +110,8 @@ private:
 void WarnOfMissingPlaces(
   const std::vector<vtkIdType>& missing, const char* what, const RunOptions& options);
 
-/// Gives an output with points one vertex for each, all point arrays of another, and those of the
-/// places; null: they have none. Places that are missing get points and values that are not a
+/// Gives an output with points one vertex for each, all point arrays of another, and the arrays of
+/// the places; null: they have none. Places that are missing get points and values that are not a
 /// number, or 0 where these are integers.
 void FinishPlaces(const std::vector<vtkIdType>& missing, vtkPolyData* arrays, vtkDataSet* places,
   vtkPolyData* output);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceScore.h
- * By what places are compared that may be the nearest one to a point (LimitPatches.h).
+ * A score that compares places that may be the nearest one to a point (LimitPatches.h).
  */
 #ifndef SubdivisionObjects_PlaceScore_h
 #define SubdivisionObjects_PlaceScore_h
@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// What is made smaller in place of the distance from a point: half its square near the patches,
+/// Searches make it smaller instead of the distance from a point: half its square near the patches,
 /// and else the part of the distance that depends on the place, so that nothing cancels.
 class PlaceScore
 {
@@ -57,7 +57,7 @@ public:
     const double distance = std::max(0., std::sqrt(2. * std::max(0., score)) - margin);
     return 0.5 * distance * distance;
   }
-  /// What scores are equal by. `part`: of what is rounding then.
+  /// By how much equal scores may differ. `part`: of the values, as rounding.
   double GetTolerance(double score, double part) const
   {
     return part * (this->IsNear ? 100. * score + 1e-5 : 1.);

@@ -70,12 +70,12 @@ struct FreeDirections
   }
 };
 
-/// What decides a step from the best place of a search.
+/// The data that decide a step from the best place of a search.
 struct Slope
 {
   const PlaceValue& Parts;
   Vector Rest;  ///< from the point to the value
-  Matrix Bends; ///< as those of the search
+  Matrix Bends; ///< as in the search
   double Damping;
 };
 
@@ -114,7 +114,7 @@ bool SolveForStep(const FreeDirections& free, const Slope& slope, std::array<dou
 }
 
 /// The same without directions in which the step would leave the cell at once: isOutside(i, step)
-/// tells that of direction i, which remove(i) then takes out of what belongs to the directions.
+/// tells this of direction i, which remove(i) then takes out of the data of directions.
 template <typename IsOutside, typename Remove>
 bool FindStep(FreeDirections& free, const Slope& slope, std::array<double, 3>& step,
   const IsOutside& isOutside, const Remove& remove)
@@ -136,8 +136,8 @@ bool FindStep(FreeDirections& free, const Slope& slope, std::array<double, 3>& s
   return false;
 }
 
-/// Half the squared distance's change along a part of a step, if the value were linear and the step
-/// short.
+/// Half the squared distance's change along a fraction of a step, if the value were linear and the
+/// step short.
 double GetPromise(
   const FreeDirections& free, const std::array<double, 3>& step, double part, const Vector& rest)
 {
@@ -270,7 +270,7 @@ void AdvanceInQuad(PlaceSearch& search, const Slope& slope)
   search.IsDone = free.Size == 0 || length * part < LeastStep;
 }
 
-/// The second derivatives of half the squared distance beyond those of a linear value.
+/// The second derivatives of half the squared distance, minus the derivatives of a linear value.
 Matrix ReadBends(const PlaceValue& parts, const Vector& rest)
 {
   const double mixed = Dot(parts[PlaceParts::Mixed], rest);
@@ -307,7 +307,7 @@ void LearnBends(PlaceSearch& search, const PlaceValue& value, const Vector& rest
   }
 }
 
-/// Damps further steps by what the last one did of what it promised.
+/// Damps further steps, by the fraction of its promise that the last one kept.
 void SetDamping(PlaceSearch& search, bool isWorse)
 {
   // A step of Newton's method does half where the distance is as its derivatives tell.

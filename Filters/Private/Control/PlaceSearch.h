@@ -5,8 +5,7 @@
  *
  * Steps are damped, as Levenberg and Marquardt do, where the distance changes otherwise than a step
  * promised: beside a hollow, for one, the place lies between two that are nearer. In solids, of
- * which no second derivatives are known, what they add is learned from the steps (symmetric rank
- * one).
+ * which no second derivatives are known, these are learned from the steps (symmetric rank one).
  */
 #ifndef SubdivisionObjects_PlaceSearch_h
 #define SubdivisionObjects_PlaceSearch_h
@@ -20,7 +19,7 @@
 namespace subdivision
 {
 
-/// What is known of the place of a search: its value and derivatives.
+/// The value and derivatives at the place of a search.
 using PlaceValue = PlaceValues::value_type;
 
 /// A search in one cell, for one of the points.
@@ -32,10 +31,10 @@ struct PlaceSearch
   bool IsDone = false;
 
   PlaceValue AtBest{};
-  /// What half the squared distance has as second derivatives beyond those of a linear value, as
-  /// far as steps have told.
+  /// The second derivatives of half the squared distance minus the derivatives of a linear value,
+  /// as far as steps have told.
   std::array<std::array<double, 3>, 3> Bends{};
-  double Damping = 0.; ///< 0: the next step is that of Newton's method
+  double Damping = 0.; ///< 0: the next step is Newton's
   /// Below this there is none. It becomes smaller each time a step without damping went too far:
   /// beside an edge at which a solid is smooth the value nearly stands still in one direction.
   double LeastDamping = 1.;

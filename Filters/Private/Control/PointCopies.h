@@ -25,8 +25,8 @@
 namespace subdivision
 {
 
-/// For each point the first one of those that are the same by MaterialPointIds and have the same
-/// coordinates; a negative id is that of no other point. Empty if all are different.
+/// For each point the first one with the same MaterialPointIds and the same coordinates; points
+/// with a negative id are alone. Empty if all are different.
 std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh);
 
 /// A copy of the values of an array, made in parts: DeepCopy of VTK cannot be stopped.
@@ -96,7 +96,7 @@ void ChangeCells(vtkPointSet* mesh, vtkIdType size, const Change& change)
   surface->SetStrips(made[3]);
 }
 
-/// Replaces points and point data by those of `sources`, and ids by those that `change` gives.
+/// Replaces points and point data by the ones of `sources`, and ids by the result of `change`.
 template <typename Change>
 void TakePoints(vtkPointSet* mesh, const std::vector<vtkIdType>& sources, const Change& change)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What becomes of the points that MergeCoincidentPoints has merged with others.
+// Removes the points that MergeCoincidentPoints has merged with others.
 #include "Private/Control/CoincidentPoints.h"
 
 #include "Core/Operators/MatrixFactors.h"

@@ -43,7 +43,7 @@ struct RunOptions
   FeatureOptions Features;
   bool HasMaterialFields = false; ///< MaterialFields.h has added arrays
   InterpolationOptions Interpolation;
-  /// What ConnectToFilter makes `Progress` count in.
+  /// The part of the work in which ConnectToFilter makes `Progress` count.
   ProgressPart Part;
   /// Called with the fraction of the work that is done, or with a negative number, which means the
   /// last one; never goes back. Returns true if the work must stop.
@@ -56,10 +56,10 @@ struct RunOptions
   std::function<Partners*(vtkPointSet*)> FindPartners;
   /// How many layers of fine cells of other partitions around its own the output of a part needs.
   int GhostLayers = 0;
-  /// Where the operator from the input's points to those of the output goes as a matrix; null:
+  /// Where the operator from points of the input to points of the output goes as a matrix; null:
   /// nowhere.
   MatrixFactors* Factors = nullptr;
-  /// What the warning of missing values says besides (MissingValues.h).
+  /// A further text in the warning of missing values (MissingValues.h).
   std::string* NoteOfMissing = nullptr;
 };
 

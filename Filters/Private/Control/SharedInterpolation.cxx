@@ -81,7 +81,7 @@ Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
   return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
 }
 
-/// `others`: those that call this too; if there are any, nothing is counted.
+/// `others`: partitions that call this too; if there are any, nothing is counted.
 void TellMisses(
   LimitMisses misses, Partners* others, const std::function<void(const std::string&)>& warn)
 {

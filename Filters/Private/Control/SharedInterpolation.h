@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharedInterpolation.h
- * How a filter solves for control values of a mesh of which other partitions have parts, and what
- * it says of the result.
+ * How a filter solves for control values of a mesh of which other partitions have parts, and warns
+ * of the result.
  */
 #ifndef SubdivisionObjects_SharedInterpolation_h
 #define SubdivisionObjects_SharedInterpolation_h
@@ -15,11 +15,11 @@ class vtkPointSet;
 namespace subdivision
 {
 
-/// Whether all partitions say yes; without others, what this one says.
+/// Whether all partitions say yes; without others, the answer of this one.
 bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options);
 
-/// Lets the solver work together with those of the other partitions, which all call this; does
-/// nothing if there are none. `cells` were read from `input`, and have the control points.
+/// Lets the solver work together with the solvers of the other partitions, which all call this;
+/// does nothing if there are none. `cells` were read from `input`, and have the control points.
 void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
   InterpolationLimits& limits);
 

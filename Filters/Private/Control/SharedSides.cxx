@@ -20,7 +20,7 @@ using Ids = std::vector<vtkIdType>;
 using PartLink = std::array<vtkIdType, 5>;
 constexpr size_t LinkSize = std::tuple_size<PartLink>::value;
 
-/// What is said of a part of a partition: 0, 1, or that it is not orientable.
+/// The answer for a part of a partition: 0, 1, or that it is not orientable.
 constexpr vtkIdType NotOrientable = 2;
 
 /// The links between parts that have a face in common, found by the keepers of faces.
@@ -79,8 +79,8 @@ std::vector<PartLink> FindLinks(const FaceSides& sides, const SharedKeys& faces,
   return links;
 }
 
-/// What a partition tells of each of its parts: the smallest key, whether that face is turned, and
-/// whether the part is twisted.
+/// The message of a partition on each of its parts: the smallest key, whether the face with it is
+/// turned, and whether the part is twisted.
 Ids DescribeParts(const FaceSides& sides, const SharedKeys& faces)
 {
   const auto width = static_cast<size_t>(faces.Width);
@@ -146,7 +146,7 @@ public:
     this->Against[other] = against;
     this->Twisted[top] = this->Twisted[top] || this->Twisted[other];
   }
-  /// What has to be done with each part of a partition.
+  /// Whether each part of a partition has to be turned.
   Ids Answer(int partition, size_t parts)
   {
     Ids answer;

@@ -49,7 +49,7 @@ private:
   std::vector<Entry> Entries;
 };
 
-/// The answers of this partition to questions for owners: to each partition those of its keys.
+/// The answers of this partition to questions for owners: to each partition for its keys.
 Partners::Messages AnswerOwners(const Partners::Messages& questions, size_t width)
 {
   KeyTable owners(static_cast<int>(width));

@@ -14,8 +14,8 @@ namespace subdivision
 {
 
 /**
- * Each partition computes the values of its own things right, and takes those of all others from
- * the first partition that has them as own.
+ * Each partition computes the values of its own things right, and takes the values of all others
+ * from the first partition that has them as own.
  *
  * All partitions make this, and call its functions, together. A directory finds the owners: three
  * exchanges, 8 Width bytes for each thing. TakeOthers is one exchange.
@@ -25,7 +25,7 @@ class SharedValues
 public:
   SharedValues(const SharedKeys& things, Partners& partners);
 
-  /// Replaces the values of things that are not own, `components` numbers for each thing. Those
+  /// Replaces the values of things that are not own, `components` numbers for each thing. Values
   /// that no partition has as own stay.
   void TakeOthers(double* values, int components);
 

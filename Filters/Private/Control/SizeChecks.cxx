@@ -25,7 +25,7 @@ namespace
 /// How many processes share the memory of this machine.
 thread_local int Sharers = 1;
 
-/// What the work of this thread needs, as it was estimated; negative: nothing was.
+/// The estimated memory of the work of this thread; negative: there is no estimate.
 thread_local double Estimate = -1.;
 
 /// Connectivity and type of a tetrahedron, and its offset.

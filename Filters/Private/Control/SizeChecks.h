@@ -28,7 +28,7 @@ LevelCounts CountSimplices(const SimplexList& cells, const SchemeTraits& scheme)
 /// Whether ids inside the program may need more than 32 bits in so many steps.
 bool NeedsLargeIds(const SimplexList& control, int levels, const SchemeTraits& scheme);
 
-/// What estimates add for lists, which begin and end with pages of 2 MB.
+/// The bytes that estimates add for lists, which begin and end with pages of 2 MB.
 constexpr double BytesOfPages = 16e6;
 
 struct SizeEstimate
@@ -40,10 +40,10 @@ struct SizeEstimate
   double BytesPerCell = 0; ///< of cell data
   double BytesPerId = 4;
   bool Projects = false; ///< with limit rows of the last level
-  int Frames = 0; ///< arrays of normals and tangents, whose rows stand beside those of limits
+  int Frames = 0;        ///< arrays of normals and tangents, with rows beside the limit rows
 };
 
-/// An error message if the peak, the output and what the last step needs beside it, does not fit.
+/// An error message if the peak, the output and the memory of the last step, does not fit.
 std::string CheckMemory(const SizeEstimate& estimate);
 
 std::string CheckMemory(double cells, double points, double bytes, int levels);

@@ -2,7 +2,7 @@
 /**
  * @file Stamp.h
  * How a filter recognises a mesh that this project made (Mathematics 2), so that filters in a row
- * give what one filter would have given.
+ * give the same result as one filter.
  *
  * The field array `Subdivision` holds the numbers of Stamp, and others that tell whether the mesh
  * was changed. `SubdivisionGlobalIds` has the global ids of the first input's points, if there were
@@ -52,19 +52,19 @@ constexpr const char* GlobalIdsName = "SubdivisionGlobalIds";
 /// The field array with the inverted and flat control simplices, and its form in parts.
 constexpr const char* InvertedCellsName = "SubdivisionInvertedCells";
 constexpr const char* FirstInvertedName = "SubdivisionFirstInverted";
-/// What an earlier filter solved for so that the limit passes through it: 1 points, 2 arrays, 3
-/// both; there is no such array where it is nothing.
+/// The values that an earlier filter solved for, so that the limit passes through them: 1 points, 2
+/// arrays, 3 both; there is no array where there were none.
 constexpr const char* InterpolatedName = "SubdivisionInterpolated";
-/// Those with the derived singular simplices, by their dimension.
+/// The field arrays with the derived singular simplices, by their dimension.
 constexpr const char* SingularNames[3] = { "SubdivisionSingularVertices",
   "SubdivisionSingularLines", "SubdivisionSingularTriangles" };
-/// Those with what is left of the sharpness of these lines and triangles, if any of it is finite.
+/// The field arrays with the remaining sharpness of these lines and triangles, if any is finite.
 constexpr const char* SharpnessNames[3] = { "", "SubdivisionLineSharpness",
   "SubdivisionTriangleSharpness" };
 
 /// The field arrays of a part of a surface with its control points as they were at first: the
-/// number of each in the whole, its coordinates, and what SurfaceStamp.h says; and with pairs of
-/// such numbers and for how many levels the edge between them stays sharp.
+/// number of each in the whole, its coordinates, and the numbers of SurfaceStamp.h. A second one
+/// has pairs of points, and for how many levels the edge between them stays sharp.
 constexpr const char* ControlPointsName = "SubdivisionControlPoints";
 constexpr int ControlPointComponents = 6;
 constexpr const char* ControlCreasesName = "SubdivisionControlCreases";
@@ -77,7 +77,7 @@ struct Stamp
   vtkIdType NumberOfControlPoints = 0; ///< centres of split cells included
   /// Whether points are on the limit. Then no filter may take them for points of a level.
   bool IsProjected = false;
-  bool TetOrderIsFinal = true; ///< if false, only that of tetrahedra which a filter made
+  bool TetOrderIsFinal = true; ///< if false, only of tetrahedra which a filter made
   /// How many points and cells the whole output has, of which this is a part; 0: it is the whole.
   /// Other numbers and field arrays of the stamp then count in the whole, too.
   vtkIdType NumberOfPoints = 0;
@@ -108,7 +108,7 @@ struct StampedIds
   std::vector<vtkIdType> Interpolated; ///< one number (InterpolatedName) or none
 };
 
-/// Writes or replaces the field arrays of a finished output; removes those without ids.
+/// Writes or replaces the field arrays of a finished output; removes arrays without ids.
 void WriteStampedIds(const StampedIds& ids, vtkPointSet* output);
 
 /// Reads the derived singular simplices, as tuples of point ids.

@@ -20,7 +20,7 @@ namespace subdivision
 class ToldWarnings
 {
 public:
-  /// Begins an execution. What earlier ones told stays told if only the time is another one.
+  /// Begins an execution. Warnings of earlier ones stay told if only the time is another one.
   /// `options`: when the filter was modified; `time`: NaN if there are no time steps.
   void Begin(vtkMTimeType options, double time)
   {
@@ -30,7 +30,7 @@ public:
     this->Options = options;
     this->Time = time;
   }
-  /// Goes on with an execution: what it has told stays told.
+  /// Goes on with an execution: its warnings stay told.
   void GoOn()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -2,7 +2,7 @@
 /**
  * @file RefinementCriteria.h
  * Tells where a mesh is to be refined, for all kinds of refinement: by criteria on edges (two
- * points) and on cells (lists of points). An error is a multiple of what is allowed, so that the
+ * points) and on cells (lists of points). An error is a multiple of the allowed one, so that the
  * worst can be found; where it is above 1 the mesh is refined.
  */
 #ifndef SubdivisionObjects_RefinementCriteria_h
@@ -34,7 +34,7 @@ struct SimplicesOfCells;
 constexpr double BetweenPlaces = 1.1;
 
 /// The criteria. One that has an array, a selection or a function is on if that is set; the others
-/// have flags. What they ask for is in GetEdgeError, GetCellError and GetGeometricError below.
+/// have flags. GetEdgeError, GetCellError and GetGeometricError below tell their meaning.
 struct RefinementOptions
 {
   vtkSmartPointer<vtkDataArray> Attribute; ///< of points
@@ -86,8 +86,8 @@ struct RefinementOptions
 class ContinuedArray
 {
 public:
-  /// Takes the values of the array, then those of the centres: the mean of the members or, if
-  /// `smooth` is false, the value of the first member.
+  /// Takes the values of the array, then of the centres: the mean of the members or, if `smooth` is
+  /// false, the value of the first member.
   void Start(vtkDataArray* array, const SimplicesOfCells& cells, bool smooth);
   bool IsSet() const { return this->Components > 0; }
   int GetComponents() const { return this->Components; }
@@ -146,8 +146,8 @@ public:
     }
   }
 
-  /// The point arrays: coordinates, then those of the other criteria. Where refinement moves points
-  /// it writes to them; relative tolerances stay those of the input.
+  /// The point arrays: coordinates, then the arrays of the other criteria. Where refinement moves
+  /// points it writes to them; tolerances stay relative to the input.
   std::vector<ContinuedArray*> GetPointArrays();
 
   const ContinuedArray& GetCoordinates() const { return this->Coordinates; }
@@ -172,11 +172,11 @@ public:
   /// The same where the distance is known, and the length of the longest edge.
   inline double GetGeometricError(double distance, double length) const;
   /**
-   * The same at a place over an edge inside a surface; `opposites`: the third corners of those of
-   * its two triangles that are known. The place must be near one of the two triangles and near the
-   * planes of both. A place that is beside the edge but in these planes has no error, because the
-   * surface goes on there. Where the triangles are folded over the surface ends at the edge, and
-   * the distance from the edge counts.
+   * The same at a place over an edge inside a surface; `opposites`: the third corners of its two
+   * triangles, as far as these are known. The place must be near one of the two triangles and near
+   * the planes of both. A place that is beside the edge but in these planes has no error, because
+   * the surface goes on there. Where the triangles are folded over the surface ends at the edge,
+   * and the distance from the edge counts.
    */
   double GetErrorOverEdge(const double* const ends[2], const double* const opposites[2],
     int triangles, const double* place) const;
@@ -200,7 +200,7 @@ public:
   void EvaluateFunction(const Cells& cells, vtkIdType first, vtkIdType last,
     Buffer<double>& centroids, Buffer<double>& values) const;
 
-  /// The error of cell i for the criteria on cells. `value`: that of the function, or null.
+  /// The error of cell i for the criteria on cells. `value`: of the function, or null.
   template <typename Cells, typename Points>
   double GetCellError(
     const Cells& cells, vtkIdType i, const Points& points, const double* value) const;

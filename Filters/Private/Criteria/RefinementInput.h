@@ -33,7 +33,7 @@ public:
   /// The array of points that the user chose, else the active scalars, else the first array of
   /// floating point numbers; null if there is none.
   bool FindOfPoints(int index, Array& array) const;
-  /// The array that the user chose, else the active scalars of the points, else those of the cells.
+  /// The array that the user chose, else the active scalars of the points, else of the cells.
   bool Find(int index, const char* criterion, Array& array, bool& ofCells) const;
   /// The array of cells with integers that the user chose, else the one named `fallback`.
   bool FindOfCells(int index, const char* criterion, const char* fallback, Array& array) const;

@@ -76,7 +76,7 @@ bool Deformation::Run(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* deform
   }
   catch (...) // too little memory, or the user stops it
   {
-    this->Clear(); // what is kept may be incomplete
+    this->Clear(); // the kept data may be incomplete
     throw;
   }
 }

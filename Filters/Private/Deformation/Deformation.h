@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Deformation.h
- * Does the work of vtkSubdivisionDeformation, and keeps what it needs between executions.
+ * Does the work of vtkSubdivisionDeformation, and keeps its data between executions.
  */
 #ifndef SubdivisionObjects_Deformation_h
 #define SubdivisionObjects_Deformation_h

@@ -141,8 +141,8 @@ void Average(const Buffer<double>& jacobians, const CellIds& points, double mean
   }
 }
 
-/// The mean over the points of each cell. That of a cell which cannot be read is the identity, and
-/// such cells come to `wrong`: nobody has checked the cells of the input before.
+/// The mean over the points of each cell. A cell that cannot be read gets the identity, and goes to
+/// `wrong`: nobody has checked the cells of the input before.
 Buffer<double> AverageOverCells(
   const Buffer<double>& jacobians, vtkPointSet* data, std::vector<vtkIdType>& wrong)
 {

@@ -19,11 +19,11 @@ struct RunOptions;
 bool HasVectors(vtkPointSet* data);
 
 /**
- * Transforms the active vectors, tangents and normals of the output, which are those of the input
- * before. `jacobians` has the Jacobian matrix of the deformation for each point: 9 numbers, row by
- * row. A cell takes the mean of its points. Vectors and tangents are multiplied by the matrix,
- * normals by its inverse transpose, and normals get the length 1. A warning names the cells that
- * cannot be read, of which the vectors stay as they are.
+ * Transforms the active vectors, tangents and normals of the output, which the input had before.
+ * `jacobians` has the Jacobian matrix of the deformation for each point: 9 numbers, row by row. A
+ * cell takes the mean of its points. Vectors and tangents are multiplied by the matrix, normals by
+ * its inverse transpose, and normals get the length 1. A warning names the cells that cannot be
+ * read, of which the vectors stay as they are.
  */
 void TransformVectors(
   const Buffer<double>& jacobians, const RunOptions& options, vtkPointSet* output);

@@ -18,7 +18,7 @@ namespace
 {
 
 /// A point is inside a cell if its weights are not further below 0 than this. Points in single
-/// precision, of the object or of the rest mesh, are exact to 1e-7 only, so that those on a
+/// precision, of the object or of the rest mesh, are exact to 1e-7 only, so that points on a
 /// boundary may seem to be outside.
 constexpr double Tolerance = 1e-10;
 constexpr double SingleTolerance = SingleTie;
@@ -50,8 +50,8 @@ CornerRow FindNearestCell(
                                                                 : CornerRow();
 }
 
-/// The square of the distance up to which a point lies on a surface: of a control mesh without
-/// solids, such as one in the plane of an image, the surfaces hold the points. Less than 0 for
+/// The square of the distance up to which a point lies on a surface: in a control mesh without
+/// solids, such as a mesh in the plane of an image, the surfaces hold the points. Less than 0 for
 /// other meshes.
 double FindReach2(const RestMesh& rest, double tolerance)
 {
@@ -174,7 +174,7 @@ bool BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedP
   const double tie = isSingle ? SingleTie : DoubleTie;
   const double reach2 = FindReach2(rest, isSingle ? SingleTolerance : Tolerance);
   const auto size = static_cast<vtkIdType>(missing.size());
-  // Those that are left where they are share one row, which is empty.
+  // Points that are left where they are share one row, which is empty.
   const bool isShared = !isNearest && reach2 < 0.;
   if (!isShared && size > EmbeddedPoints::MostOthers)
   {

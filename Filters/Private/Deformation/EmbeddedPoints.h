@@ -31,7 +31,7 @@ struct EmbeddedPoints
   SparseRows<int> Composed;
   std::vector<vtkIdType> Outside;
   std::vector<double> Remainders; ///< 3 for each point outside
-  vtkIdType NumberNotFinite = 0;  ///< of those outside
+  vtkIdType NumberNotFinite = 0;  ///< of the points outside
 
   Fingerprint Print; ///< of the points
   OutsideRule Rule = OutsideRule::Leave;

@@ -89,9 +89,9 @@ bool IsSameMesh(vtkPointSet* a, vtkPointSet* b)
 }
 
 // ------------------------------------------------------------------------------------------------
-// What is subdivided
+// The mesh that is subdivided
 
-/// The mesh with those arrays only that the operators depend on.
+/// The mesh, only with arrays on which the operators depend.
 vtkSmartPointer<vtkPointSet> MakeControl(vtkPointSet* mesh, const FeatureOptions& features)
 {
   auto control = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
@@ -321,7 +321,7 @@ bool RestMesh::BuildSurface(
   surface.Levels = options.Levels;
   FeatureOptions& features = surface.Features;
   for (auto* array : { &features.Singular, &features.Material, &features.Part, &features.Rules,
-         &features.Sharpness }) // those of the cells of `mesh`
+         &features.Sharpness }) // from cells of `mesh`
   {
     *array = *array ? mesh->GetCellData()->GetArray((*array)->GetName()) : nullptr;
   }

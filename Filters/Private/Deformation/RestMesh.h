@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RestMesh.h
- * The control mesh of a deformation. It is subdivided once, at rest, by the main filter's steps or
- * by those of a surface scheme; its operators then apply to the deformed mesh as often as that
+ * The control mesh of a deformation. It is subdivided once, at rest, by the steps of the main
+ * filter or of a surface scheme; its operators then apply to the deformed mesh as often as this
  * changes.
  */
 #ifndef SubdivisionObjects_RestMesh_h
@@ -63,8 +63,8 @@ public:
   const SimplexTree& GetNearestTets();
   const SimplexTree& GetNearestOthers();
 
-  /// Turns rows over the subdivided mesh into rows over the control points (those of
-  /// MoveControlPoints). Not for level 0, which has no operators.
+  /// Turns rows over the subdivided mesh into rows over the control points (of MoveControlPoints).
+  /// Not for level 0, which has no operators.
   SparseRows<int> Compose(const SparseRows<int>& rows) const;
   /// Bytes that MovePoints reads of operators.
   std::size_t GetOperatorSize() const;
@@ -83,7 +83,7 @@ private:
   SimplicesOfCells Control;                    ///< the mesh in simplices; of a surface its points
   vtkSmartPointer<vtkDataArray> ControlPoints; ///< at rest
   std::unique_ptr<OperatorSequence> Steps;     ///< null for no step
-  vtkSmartPointer<vtkDataArray> Points;        ///< after the steps; for none maybe those at rest
+  vtkSmartPointer<vtkDataArray> Points;        ///< after the steps; without steps maybe at rest
   Buffer<double> MovedPoints;
   bool TooLarge = false;
   Buffer<int> TetCorners;

@@ -62,7 +62,7 @@ void ListMembers(const LabelImage& fine, const LabelImage& coarse, vtkIdType blo
     });
 }
 
-/// What Ends has for a block.
+/// The entry of Ends for a block.
 unsigned char FindEnds(const LabelImage& image, const LabelImage& coarse, vtkIdType block)
 {
   const auto at = coarse.GetPlace(block);

@@ -33,7 +33,7 @@ struct LabelImage
   vtkIdType NumberOfMaterialVoxels = 0;
   vtkIdType NumberOfMissing = 0; ///< values that are NaN or infinite, and so background
   vtkIdType FirstMissing = -1;
-  /// Of an image of blocks: what it was made of.
+  /// Of an image of blocks: the size of the image from which it was made.
   std::array<vtkIdType, 3> FineSize{ 0, 0, 0 };
   int Length = 1; ///< of a block, in voxels
   /// Of each block the bits of the ends of the image (-x, x, -y, y, -z, z) where it is the last one
@@ -92,15 +92,15 @@ void VisitBlock(const LabelImage& coarse, vtkIdType block, const Visit& visit)
 /// it is none. `array` is contiguous.
 vtkVariant FindWholeNumber(vtkDataArray* array, vtkIdType tuple);
 
-/// Sets Voxels and Labels of an image whose Size is set. Voxels where isHidden says so are
-/// background, and those whose value is missing. Returns an error message if a value is no integer.
+/// Sets Voxels and Labels of an image whose Size is set. Voxels where isHidden says so, or whose
+/// value is missing, are background. Returns an error message if a value is no integer.
 std::string ReadLabels(vtkDataArray* array, const vtkVariant& background,
   const std::function<bool(vtkIdType)>& isHidden, LabelImage& image);
 
 /// Makes one voxel of each block of `length`^3: of the label that most of its voxels have. Where
 /// labels have equally many, materials come before background, then the smallest label wins. At the
-/// end of the image blocks have half of that length or more, or up to one half more. Labels are
-/// those of `image`, also where none is left.
+/// end of the image blocks have half of that length or more, or up to one half more. Labels are the
+/// labels of `image`, also where none is left.
 LabelImage Coarsen(const LabelImage& image, int length);
 
 /// The smallest length of blocks that leaves at most `wanted` voxels of materials; 1 if `wanted`
@@ -108,8 +108,8 @@ LabelImage Coarsen(const LabelImage& image, int length);
 int FindBlockLength(const LabelImage& image, vtkIdType wanted);
 
 /// Adds to `cells` the arrays of `voxels` but `labels`, ids and ghosts, a tuple for each voxel of
-/// `coarse` that is no background: of floating point arrays the mean over the voxels of the block
-/// that have its label, of others the tuple of the first of these.
+/// `coarse` that is no background. Floating point arrays get the mean over the voxels of the block
+/// that have its label, others the tuple of the first of these.
 void CopyVoxelArrays(const LabelImage& fine, const LabelImage& coarse, vtkDataSetAttributes* voxels,
   vtkDataArray* labels, vtkDataSetAttributes* cells,
   const std::function<void(const std::string&)>& warn);

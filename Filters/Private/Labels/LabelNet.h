@@ -44,7 +44,7 @@ public:
   void Smooth(int steps);
   /// Takes a quarter of the smoothing back at the corners of cells.
   void Stiffen(const std::vector<vtkIdType>& cells);
-  /// Where the corners are after the smallest move from what is smoothed by which the labels get
+  /// Where the corners are after the smallest move from the smoothed ones that gives the labels
   /// these volumes (in voxels, [0] is of the background and not read), as far as they may be moved.
   std::vector<Vector> HoldVolumes(const std::vector<double>& volumes) const;
 

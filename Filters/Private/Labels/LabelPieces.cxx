@@ -15,7 +15,7 @@ namespace
 {
 
 /// Calls visit(neighbour, number of axes between) for the neighbours of a voxel; `before`: only for
-/// those that have smaller ids.
+/// neighbours with smaller ids.
 template <typename Visit>
 void VisitNeighbours(
   const LabelImage& image, vtkIdType voxel, bool byCorners, bool before, const Visit& visit)
@@ -173,7 +173,7 @@ private:
   static constexpr double Never = std::numeric_limits<double>::infinity();
   static constexpr double Diagonal = 1e9; ///< more than all ways by faces
 
-  /// What it costs that a block goes to a label: few voxels that it has there cost much.
+  /// The cost of giving a block to a label: the fewer voxels of the label it has, the more.
   double GetCost(const Share& share, int label) const
   {
     const int now = this->Coarse.Voxels[share.Block];
@@ -201,7 +201,7 @@ private:
   LabelImage& Coarse;
   std::vector<vtkIdType> Nodes;  ///< of the blocks of the piece at hand; -1 for others
   std::vector<char> IsGiven;     ///< which blocks a label got here
-  std::vector<vtkIdType> Blocks; ///< number of those of each label
+  std::vector<vtkIdType> Blocks; ///< number of blocks of each label
 };
 
 }
@@ -241,7 +241,7 @@ void KeepConnected(
   std::stable_sort(shares.Pieces.begin(), shares.Pieces.end(),
     [](const PieceShares& a, const PieceShares& b) { return a.Voxels < b.Voxels; });
   Connector connector(fine, byCorners, coarse);
-  // What a label takes may divide another, which then finds another way.
+  // Blocks that a label takes may divide another label, which then finds another way.
   constexpr int rounds = 4;
   bool hasChanged = true;
   for (int round = 0; round < rounds && hasChanged; ++round)

@@ -24,8 +24,8 @@ Buffer<vtkIdType> FindPieces(const LabelImage& image, bool byCorners);
 void KeepConnected(
   const LabelImage& fine, const Buffer<vtkIdType>& pieces, bool byCorners, LabelImage& coarse);
 
-/// What to say of labels a piece of which comes apart, or that have fewer pieces than those with
-/// enough voxels for a block, but some; empty if there are none.
+/// A text on labels of which a piece comes apart, or some pieces with enough voxels for a block are
+/// lost, but not all; empty if there are none.
 std::string DescribeChangedLabels(const LabelImage& fine, const Buffer<vtkIdType>& pieces,
   bool byCorners, const LabelImage& coarse);
 

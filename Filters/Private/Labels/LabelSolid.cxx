@@ -223,7 +223,7 @@ void LabelSolid::WarnOfPieces() const
 {
   if (this->Coarse.Length == 1)
   {
-    return; // pieces are those of the voxels
+    return; // voxels have the same pieces
   }
   const std::string changed =
     DescribeChangedLabels(this->Fine, this->Pieces, this->Options.ByCorners, this->Coarse);

@@ -35,7 +35,7 @@ bool IsMaterialTable(vtkFieldData* table, const std::string& name)
 namespace
 {
 
-/// For each place in `labels`, plus 1, the row of the table; -1: there is none.
+/// For each position in `labels`, plus 1, the row of the table; -1: there is none.
 std::vector<vtkIdType> FindRows(vtkDataArray* column, vtkIdType size,
   const std::vector<vtkVariant>& labels, const std::function<void(const std::string&)>& warn)
 {
@@ -98,7 +98,7 @@ void AddMaterials(vtkFieldData* table, const std::string& name,
         "\" of the table of materials has no numbers: the number of a row, from 0, is its label.");
     }
   }
-  // The arrays of field data may have different sizes: those of another are no columns.
+  // The arrays of field data may have different sizes: arrays of another size are no columns.
   const vtkIdType size = column ? column->GetNumberOfTuples() : table->GetNumberOfTuples();
   const std::vector<vtkIdType> rowOfIndex = FindRows(column, size, labels, warn);
   for (int i = 0; i < table->GetNumberOfArrays(); ++i)

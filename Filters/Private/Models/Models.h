@@ -2,8 +2,7 @@
 /**
  * @file Models.h
  * The control meshes of vtkSubdivisionModelSource: the files in Data, which WriteTables.cmake turns
- * into tables while the library is built. What they show is told in the documentation of that
- * class.
+ * into tables while the library is built. The documentation of this class describes them.
  */
 #ifndef SubdivisionObjects_Models_h
 #define SubdivisionObjects_Models_h

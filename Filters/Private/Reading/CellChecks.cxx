@@ -215,8 +215,8 @@ struct FiniteWorker
   }
 };
 
-/// One byte per point, 0 where a coordinate is infinite or not a number; empty if there is no such
-/// point.
+/// One byte per point, 0 where a coordinate is infinite or not a number; empty if there is none
+/// with 0.
 std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
 {
   const vtkIdType size = input->GetNumberOfPoints();

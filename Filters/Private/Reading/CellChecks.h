@@ -18,8 +18,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
-/// What CheckCells found. The faults are in order of precedence: a cell with several faults has the
-/// state of the first one.
+/// The result of CheckCells. The faults are in order of precedence: a cell with several faults has
+/// the state of the first one.
 enum class CellState : unsigned char
 {
   Good,

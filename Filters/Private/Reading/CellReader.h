@@ -70,7 +70,7 @@ public:
   /// `scratch`, which callers reuse. It is empty where the offsets of the cell are not valid.
   CellIds GetCell(vtkIdType cellId, std::vector<vtkIdType>& scratch) const;
 
-  /// All ids of all cells, in cell order. Offsets that are not valid are cut to what there is.
+  /// All ids of all cells, in cell order. Offsets that are not valid are cut to the existing ids.
   void GetAllIds(std::vector<vtkIdType>& ids) const;
   /// The same without a copy, as a pointer into the input; null if the input does not have them in
   /// one array of vtkIdType.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The steps: check every cell; find the triangles that decide the diagonals of quads; count the
-// pieces that each block of cells will have; let each block write its pieces to the places that
-// follow from the counts. No block reads what another one writes.
+// pieces that each block of cells will have; let each block write its pieces to the positions that
+// follow from the counts. No block reads data of another one.
 #include "Private/Reading/CellsToSimplices.h"
 
 #include "Core/Memory/Sorting.h"
@@ -334,7 +334,7 @@ private:
       });
   }
 
-  /// By its shortest diagonal; among equal ones by that with the smallest point.
+  /// By its shortest diagonal; among equal ones by the one with the smallest point.
   void SplitOctahedron(const vtkIdType* nodes)
   {
     int best = 0;

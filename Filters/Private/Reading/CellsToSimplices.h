@@ -48,7 +48,7 @@ struct SimplicesOfCells
   void TakeIds();
 };
 
-/// What becomes of the ids of an input whose cells are simplices all.
+/// Whether ids are copied from an input whose cells are simplices all.
 enum class PlainIds
 {
   Copied,

@@ -20,7 +20,7 @@ namespace subdivision
 namespace
 {
 
-/// The first value that is no whole number; -1 if there is none. Some formats, such as Exodus,
+/// The first value that is no whole number; -1 if there is none. Some formats, for instance Exodus,
 /// store whole numbers as floating point numbers.
 vtkIdType FindBroken(vtkDataArray* numbers)
 {

@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// The length of the diagonal, which is the size of what is in the box; 0 where that is empty.
+/// The length of the diagonal, which is the size of the content of the box; 0 where it is empty.
 double GetDiagonal(const Box& box);
 
 /// Sets of numbers that are joined; each is known by its least number.
@@ -51,11 +51,11 @@ private:
 /**
  * For each of `points` the first one of its group, by `order`. Two points are in one group where
  * they are at most `tolerance` apart (0: equal; -0 is 0), or where a chain of such steps leads from
- * one to the other: so groups depend neither on the order of points nor on threads. A point that is
+ * one to the other. So groups depend neither on the order of points nor on threads. A point that is
  * not finite is alone.
  *
- * Sorts the points by the cells of a grid, within which all are near each other, and compares those
- * of neighbouring cells: n log n steps, unless very many are nearly as far apart as `tolerance`.
+ * Sorts the points by the cells of a grid, within which all are near each other, and compares
+ * neighbouring cells: n log n steps, unless very many are nearly as far apart as `tolerance`.
  */
 Buffer<vtkIdType> FindFirstOfNear(
   const double* x, const std::vector<vtkIdType>& points, double tolerance, const PointOrder& order);

@@ -451,7 +451,7 @@ CellPieces CutQuadratic(const QuadraticCell& cell)
 }
 
 /// The corners of a quadratic polygon come first, then the nodes of its edges. Its corners are cut
-/// off, and what remains is a polygon.
+/// off, which leaves a polygon.
 CellPieces CutPolygon(int corners)
 {
   CellPieces table;

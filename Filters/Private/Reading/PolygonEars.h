@@ -50,8 +50,8 @@ private:
     bool IsEar = false;
   };
 
-  /// `cross`: twice the area of a triangle with sides of these squared lengths; beyond what may be
-  /// rounding its sign can be trusted.
+  /// `cross`: twice the area of a triangle with sides of these squared lengths; beyond rounding its
+  /// sign can be trusted.
   bool IsBeyond(double cross, double length2a, double length2b, double sign) const;
   void Project(const vtkIdType* loop, vtkIdType size);
   bool CutByVTK();

@@ -19,7 +19,7 @@ class vtkDataObject;
 namespace subdivision
 {
 
-/// What becomes of quadratic and other non-linear cells.
+/// How quadratic and other non-linear cells are read.
 enum class NonLinearRule
 {
   Corners, ///< linear cells at their corners
@@ -31,7 +31,7 @@ enum class NonLinearRule
 void CopyTree(vtkCompositeDataSet* from, vtkCompositeDataSet* to);
 
 /// Makes a vtkMultiBlockDataSet of AMR: a block for each level, named "Level 0" and so on, with the
-/// grids of the level in it. What is of another class is returned as it is.
+/// grids of the level in it. Objects of other classes are returned as they are.
 vtkSmartPointer<vtkDataObject> MakeTree(vtkDataObject* input);
 
 /// Calls change(mesh) for a mesh, or for all blocks of a composite data set. The result is the
@@ -50,14 +50,14 @@ vtkSmartPointer<vtkDataObject> ChangeMeshes(vtkDataObject* input,
  *  - Polyhedra become the loops of PolyhedronFaces.h. Such a grid is for CellReader only.
  *  - With NonLinearRule::Corners non-linear cells become linear ones. A warning counts them and the
  *    nodes that no cell uses any more.
- * The points and all arrays are shared with the input. What needs no change, or is of another
- * class, is returned as it is.
+ * The points and all arrays are shared with the input. Data that need no change, or are of another
+ * class, are returned as they are.
  */
 vtkSmartPointer<vtkDataObject> MakeReadable(
   vtkDataObject* input, NonLinearRule rule, std::vector<std::string>& warnings);
 
 /// Makes a vtkStructuredGrid, whose points can move, of vtkImageData and vtkRectilinearGrid, also
-/// of blocks. What is of another class is returned as it is.
+/// of blocks. Objects of other classes are returned as they are.
 vtkSmartPointer<vtkDataObject> MakeMovable(vtkDataObject* input);
 
 }

@@ -28,7 +28,7 @@ namespace
 
 constexpr const char* InsideName = "vtkInsidedness";
 
-/// act(mesh, mesh of `other` in the same place) for all meshes of a data object.
+/// act(mesh, mesh of `other` at the same position) for all meshes of a data object.
 template <typename Act>
 void ForMeshes(vtkDataObject* object, vtkDataObject* other, const Act& act)
 {
@@ -85,7 +85,7 @@ vtkDataArray* GetInsidedness(vtkDataSetAttributes* data, vtkIdType tuples)
   return array && array->GetNumberOfTuples() == tuples ? array : nullptr;
 }
 
-/// What VTK found on one mesh for nodes of one kind.
+/// The flags that VTK found on one mesh for nodes of one kind.
 std::vector<unsigned char> ReadFlags(vtkDataArray* array)
 {
   std::vector<unsigned char> flags;
@@ -157,7 +157,7 @@ bool IsOfNumbers(vtkAbstractArray* array)
   return vtkDataArray::SafeDownCast(array) != nullptr;
 }
 
-/// Whether the values of a node can be compared with those of the input.
+/// Whether the values of a node can be compared with values of the input.
 bool IsComparable(vtkDataObject* input, vtkSelectionNode* node)
 {
   vtkAbstractArray* list = node->GetSelectionList();

@@ -20,9 +20,9 @@ namespace subdivision
 /// For each mesh where there are any, 1 for each cell that is selected or has a selected point.
 using SelectedCells = std::map<vtkDataObject*, std::vector<unsigned char>>;
 
-/// Finds the selected cells of a mesh, or of all meshes in a composite input. The result has those
-/// of `readable`, what MakeReadable makes of the input; points that were merged there stand for
-/// what they became. If the selection cannot be used, `fail` gets the reason.
+/// Finds the selected cells of a mesh, or of all meshes in a composite input. The result has cells
+/// of `readable`, which MakeReadable makes of the input; points that were merged there stand for
+/// the points that they became. If the selection cannot be used, `fail` gets the reason.
 SelectedCells FindSelectedCells(vtkDataObject* input, vtkDataObject* readable,
   vtkSelection* selection, const std::function<void(const std::string&)>& fail);
 

@@ -38,7 +38,7 @@ struct Surface
   int Size = 0;
   Triangle Triangles[12];
   /// For each entry of SolidSplit::Points: the number of quads at this point whose diagonal ends at
-  /// it, and of those whose diagonal does not.
+  /// it, and of quads whose diagonal does not.
   int Diagonals[8] = {};
   int Avoided[8] = {};
 
@@ -203,7 +203,7 @@ void CutCorner(vtkIdType corner, Surface& surface, SolidSplit& split)
 
 /**
  * A hexahedron without apex can still be split if two opposite corners have no diagonal: they are
- * cut off, and what remains is an octahedron, which any of its three diagonals splits.
+ * cut off, which leaves an octahedron, and any of its three diagonals splits it.
  */
 bool SplitAsOctahedron(
   const vtkIdType* ids, bool voxel, const PointOrder& order, Surface& surface, SolidSplit& split)

@@ -40,7 +40,7 @@ struct SolidSplit
   static constexpr vtkIdType Centre = -1;
 
   int NumberOfTets = 0;
-  vtkIdType Tets[Maximum][4] = {}; ///< `Centre` stands for the new point, always in place 0
+  vtkIdType Tets[Maximum][4] = {}; ///< `Centre` stands for the new point, always at position 0
   bool HasCentre = false;
   /// The different points of the cell, whose mean is the centre.
   int NumberOfPoints = 0;
@@ -55,9 +55,9 @@ struct SolidSplit
  * positive. Repeated ids are allowed: the pieces that would have no volume are left out.
  *
  * A centre is added only where the diagonals allow nothing else. This is so for 2 of the 8 choices
- * of diagonals in a wedge (those in which no point has two diagonals) and for 18 of the 64 in a
- * hexahedron; a test compares with an exhaustive search. If each diagonal goes through the smallest
- * point of its quad, no centre is needed.
+ * of diagonals in a wedge (where no point has two diagonals) and for 18 of the 64 in a hexahedron;
+ * a test compares with an exhaustive search. If each diagonal goes through the smallest point of
+ * its quad, no centre is needed.
  */
 SolidSplit SplitSolid(int cellType, const vtkIdType* ids, const QuadDiagonals& diagonals);
 

@@ -36,8 +36,8 @@ public:
   /// volumes tell it without a closer look: several at a time, for compilers that use vectors.
   bool HaveSign(vtkIdType first, double sign) const
   {
-    // The volume is that of GetOrientationOfTet. If it rounds to the wrong sign the tetrahedron is
-    // flat, so that its orientation is 0. Beyond these bounds products may overflow or vanish.
+    // The volume is the one of GetOrientationOfTet. If it rounds to the wrong sign the tetrahedron
+    // is flat, so that its orientation is 0. Beyond these bounds products may overflow or vanish.
     constexpr double least = 1e-250;
     constexpr double largest = 1e250;
     const Out* ids = this->Ids + this->Offsets[first];

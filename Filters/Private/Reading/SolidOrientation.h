@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SolidOrientation.h
- * Which tetrahedra have a negative volume: those of a control mesh, and those that smoothing turned
- * inside out.
+ * Which tetrahedra have a negative volume: in a control mesh, and after smoothing, which may turn
+ * them inside out.
  */
 #ifndef SubdivisionObjects_SolidOrientation_h
 #define SubdivisionObjects_SolidOrientation_h
@@ -21,7 +21,7 @@ namespace subdivision
 /// volume, and 2i + 1 for each one whose volume is zero but for rounding; it is ascending.
 std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coordinates& points);
 
-/// What is known of the tetrahedra of an output before they are looked at.
+/// The known signs of the tetrahedra of an output before they are looked at.
 struct KnownSigns
 {
   /// For each cell `Steps` steps before: the sign that the volumes of all its descendants have, or
@@ -37,10 +37,10 @@ struct InvertedCells
 };
 
 /// Finds the tetrahedra of an output, `levels` steps after a control mesh, whose volume has another
-/// sign than that of their control tetrahedron; children of flat ones are left out. `inverted` is
-/// the result of FindInvertedTets, `tie` that of Coordinates. `signs`: what the writer of the cells
-/// saw, so that most need no look. `marks`: one for each cell of the output, set to 1 for those
-/// that were found; may be null.
+/// sign than their control tetrahedron; children of flat ones are left out. `inverted` is the
+/// result of FindInvertedTets, `tie` of Coordinates. `signs`: from the writer of the cells, so that
+/// most need no look. `marks`: one for each cell of the output, set to 1 for cells that were found;
+/// may be null.
 InvertedCells FindInvertedCells(const SimplexList& control, int levels,
   const std::vector<vtkIdType>& inverted, double tie, vtkUnstructuredGrid* output,
   const KnownSigns& signs, unsigned char* marks);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file UnusedPoints.h
- * Points without cells: finds them, and says what became of those that lost theirs.
+ * Points without cells: finds them, and warns of points that lost their cells.
  */
 #ifndef SubdivisionObjects_UnusedPoints_h
 #define SubdivisionObjects_UnusedPoints_h

@@ -48,7 +48,7 @@ std::string SmoothnessCells::CheckSize(
       std::to_string(options.MaximumNumberOfCells) +
       ". Take a part of the input, or raise MaximumNumberOfCells.";
   }
-  // What is kept of a cell, and its part of the output.
+  // A kept cell, and its part of the output.
   return CheckMemory(cells, points, cells * (sizeof(Cell) + 110.), 0);
 }
 
@@ -134,7 +134,7 @@ void SmoothnessCells::WriteArrays(vtkUnstructuredGrid* output) const
   add(vtkNew<vtkIntArray>().Get(), "Samples", [](const Cell& cell) { return cell.Facts.Samples; });
   add(vtkNew<vtkUnsignedCharArray>().Get(), FailingName,
     [](const Cell& cell) { return cell.Facts.Fails() ? 1 : 0; });
-  output->GetCellData()->SetActiveScalars(FailingName); // what views show
+  output->GetCellData()->SetActiveScalars(FailingName); // views show it
 }
 
 /// A point is marked where a cell fails, so that other filters find the place in their mesh.

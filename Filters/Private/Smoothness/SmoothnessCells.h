@@ -25,7 +25,7 @@ public:
   }
 
   /// Adds a cell of dimension 0 to 2. `sector`: which one at a vertex, -1: the vertex itself;
-  /// `rule`: the dimension of its rule, 4: blended. Returns whether it is that of MapOfCell.
+  /// `rule`: the dimension of its rule, 4: blended. Returns whether it is the cell of MapOfCell.
   template <typename Id>
   bool Add(
     int dimension, const Id* points, int size, int sector, int rule, const SmoothnessFacts& facts)
@@ -41,7 +41,7 @@ public:
   }
 
   /// An error message if there are more cells than MaximumNumberOfCells, or if they do not fit in
-  /// memory. `points` are those of the output.
+  /// memory. `points` counts the points of the output.
   static std::string CheckSize(double cells, double points, const SmoothnessOptions& options);
 
   void Write(vtkUnstructuredGrid* output) const;

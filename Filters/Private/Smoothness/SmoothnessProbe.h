@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SmoothnessProbe.h
- * Does the work of vtkSubdivisionSmoothness: examines what a scheme does at each simplex of a mesh,
- * and writes that as cells with arrays, or one characteristic map.
+ * Does the work of vtkSubdivisionSmoothness: examines a scheme at each simplex of a mesh, and
+ * writes the results as cells with arrays, or one characteristic map.
  */
 #ifndef SubdivisionObjects_SmoothnessProbe_h
 #define SubdivisionObjects_SmoothnessProbe_h
@@ -34,7 +34,7 @@ struct SmoothnessOptions : RunOptions
 /// if Progress asks to stop. The caller then empties the output.
 bool ProbeSolids(vtkPointSet* input, const SmoothnessOptions& options, vtkUnstructuredGrid* output);
 
-/// The same by those of vtkSurfaceSubdivision.
+/// The same by the schemes of vtkSurfaceSubdivision.
 bool ProbeSurfaces(
   vtkPolyData* input, const SmoothnessOptions& options, vtkUnstructuredGrid* output);
 

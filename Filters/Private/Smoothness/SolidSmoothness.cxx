@@ -28,7 +28,7 @@ int FindDimension(Rule rule)
   return rule == Rule::RegularEdge ? 3 : static_cast<int>(rule);
 }
 
-/// Takes over what sampling the characteristic map has shown.
+/// Takes over the results of sampling the characteristic map.
 void TakeMap(const SmoothnessFacts& from, SmoothnessFacts& facts)
 {
   facts.Regular = from.Regular;
@@ -218,7 +218,7 @@ private:
     }
     StarReader<Scheme> reader(this->Here, true);
     // In this thread: a star is a mesh of its own, whose loops use threads where it is large, and
-    // loops of threads inside those of other threads may wait for each other.
+    // loops of threads inside loops of other threads may wait for each other.
     for (const vtkIdType v : InTurn(facts.size()))
     {
       if (this->IsStoppedAt(v, facts.size(), begin, 0.6))
@@ -259,7 +259,7 @@ private:
       : 0;
   }
 
-  /// What a step makes inside an edge or a face of dimension 0 to 2, or blended.
+  /// At the vertices that steps make inside an edge or a face of dimension 0 to 2, or blended.
   SmoothnessFacts ExamineRegular(Rule rule)
   {
     switch (rule)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SolidStars.h
- * What lies at the vertices, edges and faces inside a solid, as stars of their own.
+ * The stars of the vertices, edges and faces inside a solid, as meshes of their own.
  */
 #ifndef SubdivisionObjects_SolidStars_h
 #define SubdivisionObjects_SolidStars_h
@@ -28,7 +28,7 @@ enum Mark
   ToSecond
 };
 
-/// What lies at the simplices of a level, as stars of their own. Equal stars are examined once.
+/// The stars of the simplices of a level, as meshes of their own. Equal stars are examined once.
 template <typename Scheme>
 class StarReader
 {

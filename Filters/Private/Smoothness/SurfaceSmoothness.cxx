@@ -55,7 +55,7 @@ public:
     return true;
   }
 
-  /// That of MapOfCell.
+  /// The map of MapOfCell.
   const StarMap& GetMap() const { return this->Map; }
 
 private:
@@ -99,7 +99,7 @@ private:
     return known->second;
   }
 
-  /// Makes the map of what was examined last, if its cell is the wanted one.
+  /// Makes the map of the star that was examined last, if its cell is the wanted one.
   void Keep(bool isWanted)
   {
     if (isWanted && this->HasStar)
@@ -268,7 +268,7 @@ private:
   StarMap Map;
 };
 
-/// Makes the levels up to that of the input.
+/// Makes the levels up to the level of the input.
 class SurfaceSmoothness
 {
 public:

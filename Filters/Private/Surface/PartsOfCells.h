@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PartsOfCells.h
- * What the cells of the input of a surface have become.
+ * The vertices, lines or faces that the cells of a surface's input became.
  */
 #ifndef SubdivisionObjects_PartsOfCells_h
 #define SubdivisionObjects_PartsOfCells_h
@@ -25,7 +25,7 @@ struct PartOfCell
   vtkIdType Cell = -1; ///< of the surface of the input
 };
 
-/// Of the cells of a vtkPolyData, or of those of the grid that it was made of.
+/// Of the cells of a vtkPolyData, or of the grid from which it was made.
 class PartsOfCells
 {
 public:

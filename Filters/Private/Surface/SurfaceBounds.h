@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// Adds error bounds to what SubdivideSurface made (ErrorBounds.h), or warns that there are none.
-/// Returns false after an error, or a stop.
+/// Adds error bounds to the output of SubdivideSurface (ErrorBounds.h), or warns that there are
+/// none. Returns false after an error, or a stop.
 bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
 
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCache.h
- * What a surface filter keeps between executions: for each mesh that it saw in its last update, the
- * levels and the output's cells.
+ * The cache of a surface filter between executions: for each mesh that it saw in its last update,
+ * the levels and the output's cells.
  */
 #ifndef SubdivisionObjects_SurfaceCache_h
 #define SubdivisionObjects_SurfaceCache_h
@@ -72,7 +72,7 @@ struct KeptSurface
     }
     return arrays;
   }
-  /// Whether there are cells, and nobody wrote into those of the output.
+  /// Whether there are cells, and nobody wrote into the output's ones.
   bool HasCells() const { return this->Polys && this->Handed.Hold(this->ListArrays()); }
 };
 

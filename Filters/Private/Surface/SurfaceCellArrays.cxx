@@ -67,8 +67,8 @@ Buffer<vtkIdType> FindFaceSources(const SurfaceSteps<Id>& steps, int first, int 
 }
 
 /// Finds the tuples from which the cells of an output take their data: vertices and lines from
-/// those of the input; faces from those of the input or, where these do not show the data of all
-/// earlier faces, from faces of an earlier level.
+/// vertices and lines of the input; faces from faces of the input or, where these do not show the
+/// data of all earlier faces, of an earlier level.
 template <typename Id>
 class SurfaceSources
 {
@@ -96,8 +96,8 @@ public:
       }
     }
   }
-  /// Makes an array of the output from one of the input, and adds to `next` what the next filter
-  /// needs of it.
+  /// Makes an array of the output from one of the input, and adds to `next` its data for the next
+  /// filter.
   vtkSmartPointer<vtkAbstractArray> Copy(vtkAbstractArray* array, CarriedCells& next)
   {
     const CarriedCells::Entry* base = this->FindBase(array);
@@ -225,8 +225,8 @@ private:
   std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
 };
 
-/// Adds copy(array) for each array of `input` that can be used to `to`. `sources()`: the cells of
-/// the input that those of the output come from.
+/// Adds copy(array) for each array of `input` that can be used to `to`. `sources()`: for each cell
+/// of the output the cell of the input from which it comes.
 template <typename Sources, typename Copy>
 void CopyArrays(vtkPolyData* input, bool originals, const RunOptions& options,
   const Sources& sources, const Copy& copy, vtkCellData* to)

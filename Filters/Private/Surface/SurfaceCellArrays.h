@@ -19,10 +19,10 @@ namespace subdivision
 void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
   const RunOptions& options, vtkPolyData* output);
 
-/// Copies every cell array of `input`, whose cells are those of level `firstStep`, to the cells of
-/// the last level. The sharpness of lines is reduced.
+/// Copies every cell array of `input`, whose cells are level `firstStep`, to the cells of the last
+/// level. The sharpness of lines is reduced.
 /// `goesOn`: an earlier filter made the input, so that its original ids are kept. `carried`: before
-/// the call what that filter left, afterwards what the next filter needs.
+/// the call the data that this filter left, afterwards the data for the next one.
 template <typename Id>
 void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,

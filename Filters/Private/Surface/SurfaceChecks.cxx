@@ -52,7 +52,7 @@ bool IsClosed(const SurfaceCells& cells)
   return sum == 0;
 }
 
-/// What the output has.
+/// The size of the output.
 struct SurfaceSize
 {
   double Faces = 0.;
@@ -73,7 +73,7 @@ SurfaceSize CountOutput(
   size.Points = points + size.Lines;
   if (options.Levels > 0)
   {
-    // Those of a closed surface, and those on boundaries, which are most where no face has others.
+    // The points of a closed surface, and points on boundaries, most where no face has neighbours.
     size.Points +=
       scheme.GetFaceMemory().Points * size.Faces + 0.5 * corners * std::sqrt(size.Faces / faces);
   }
@@ -152,7 +152,7 @@ struct DensePasses
         // The faces that a dual scheme makes of vertices are there from the second level on.
         this->OfVertices = std::max(levels - 1., 0.);
         this->OfFaces = levels;
-        if (levels > 0.) // limits are those of points that a step made, of all corners around
+        if (levels > 0.) // limits are at points that a step made, with all corners around
         {
           const double limits = (options.ProjectToLimit ? 4. : 0.) + (hasTangents ? 8. : 0.);
           this->OfVertices += limits;
@@ -160,7 +160,7 @@ struct DensePasses
         }
         return;
       case DenseRows::OfLimits:
-        // The limits of neighbours, of opposite corners and of what is near them read all of these.
+        // The limits of neighbours, of opposite corners and of points near them read all of these.
         this->OfVertices = 5. *
           ((options.ProjectToLimit ? 1. : 0.) + (options.Interpolation.IsOn() ? 1. : 0.) +
             (hasTangents ? 2. : 0.));

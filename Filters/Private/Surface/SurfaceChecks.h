@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceChecks.h
- * Checks the size of the output, and whether the scheme can do what options ask for.
+ * Checks the size of the output, and whether the scheme supports the options.
  */
 #ifndef SubdivisionObjects_SurfaceChecks_h
 #define SubdivisionObjects_SurfaceChecks_h
@@ -12,7 +12,7 @@
 namespace subdivision
 {
 
-/// Reads the cells, and tells their warnings and those of unused options. `isLarge`: whether the
+/// Reads the cells, and tells their warnings and warnings of unused options. `isLarge`: whether the
 /// levels need ids of 64 bits. Returns false after an error (passed to Fail): the output would be
 /// too large.
 bool ReadAndCheck(vtkPolyData* input, const SurfaceScheme<int>& scheme,

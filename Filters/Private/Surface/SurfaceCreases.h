@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCreases.h
- * What the user says about creases and corners of a surface: cell arrays and options as values of
- * the control mesh.
+ * Creases and corners of a surface as the user wants them: cell arrays and options as values of the
+ * control mesh.
  */
 #ifndef SubdivisionObjects_SurfaceCreases_h
 #define SubdivisionObjects_SurfaceCreases_h
@@ -36,9 +36,9 @@ SurfaceCreases ReadSurfaceCreases(
   const FeatureOptions& options, const SurfaceCells& cells, const SurfaceLevel<Id>& level);
 
 /// Creases with a finite sharpness end after some levels, and then there are other corners.
-/// WriteSharpCorners puts into the stamp what these need of the control mesh: measured angles of
-/// faces, and angles and flatness that the user gave. ReadSharpCorners takes it from there in the
-/// next filter.
+/// WriteSharpCorners puts their data of the control mesh into the stamp: measured angles of faces,
+/// and angles and flatness that the user gave. ReadSharpCorners takes them from there in the next
+/// filter.
 template <typename Id>
 void WriteSharpCorners(const PolygonMesh<Id>& mesh, const SurfaceCreases& creases,
   const double* points, SurfaceStamp& stamp);
@@ -60,7 +60,7 @@ template <typename Id>
 std::vector<vtkIdType> FindDerivedEdges(const PolygonMesh<Id>& mesh,
   const std::vector<vtkIdType>& faceCells, const Coordinates& points,
   const FeatureOptions& options);
-/// The edges that marks make sharp, those around marked faces included, and the corners.
+/// The edges that marks make sharp, also around marked faces, and the corners.
 SharpPairs FindMarkedEdges(vtkPolyData* input, const MarkOptions& marks,
   const std::function<void(const std::string&)>& warn);
 /// Makes edges sharp that are given as pairs of points; a point twice makes this point a corner.

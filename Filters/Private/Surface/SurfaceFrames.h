@@ -16,8 +16,8 @@ class vtkPolyData;
 namespace subdivision
 {
 
-/// The turned faces (FindTurnedFaces) of the last level from those of the first: children have the
-/// orientation of their parents.
+/// The turned faces (FindTurnedFaces) of the last level from the ones of the first: children have
+/// the orientation of their parents.
 template <typename Id>
 Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned);
 
@@ -56,7 +56,7 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
 void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
   const Buffer<vtkIdType>& sources, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
 
-/// Puts these arrays behind those of the input, once the output has these.
+/// Puts these arrays behind the input's arrays, once the output has them.
 void MoveLimitFramesToEnd(vtkPolyData* output);
 
 }

@@ -32,8 +32,8 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
 /// The first cell of a grid that is a usable solid; -1: it has none.
 vtkIdType FindFirstSolid(vtkUnstructuredGrid* grid);
 
-/// The original ids of the cells of an output, or of its blocks, become those of the grid where the
-/// input was made by MakeSurface.
+/// The original ids of the cells of an output, or of its blocks, become ids of the grid where
+/// MakeSurface made the input.
 void RestoreSourceCells(vtkDataObject* output);
 
 }

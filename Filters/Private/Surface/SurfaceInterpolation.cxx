@@ -44,8 +44,8 @@ void SurfaceRun<Id>::MakeControl(
   }
 }
 
-/// Replaces points and arrays by control values. Where there are seams the points are those of the
-/// joined mesh.
+/// Replaces points and arrays by control values. Where there are seams the points of the joined
+/// mesh are used.
 template <typename Id>
 void SurfaceRun<Id>::Interpolate()
 {

@@ -34,8 +34,8 @@ struct SurfaceNumbers
  * whose parts are `keys`. All partitions call this together.
  *
  * It is enough to number the vertices, edges, faces and lines of the control level, and to count
- * what becomes of each where that differs (SurfaceSegments): 10 exchanges, however many steps there
- * are. About 8 bytes are sent for each control part and varied segment.
+ * the descendants of each where their numbers differ (SurfaceSegments): 10 exchanges, however many
+ * steps there are. About 8 bytes are sent for each control part and varied segment.
  */
 template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
@@ -51,10 +51,10 @@ template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
   const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners);
 
-/// The points of the input as keys, by their ids: sure are those of own cells.
+/// The points of the input as keys, by their ids: sure are points of own cells.
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
-/// Edges as keys, by the numbers of their vertices, in the order of which they are: sure are those
-/// of own faces and lines.
+/// Edges as keys, by the numbers of their vertices, in whose order they are: sure are edges of own
+/// faces and lines.
 template <typename Id>
 SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces,
   const SharedKeys& lines, const SharedNumbers& vertices);

@@ -38,7 +38,7 @@ vtkSmartPointer<vtkDataArray> MovePoints(vtkPolyData* input, const OperatorSeque
   return points;
 }
 
-/// The cells of the last level. A face of n corners gives n - 2 triangles, so that their places
+/// The cells of the last level. A face of n corners gives n - 2 triangles, so that their positions
 /// follow from its first corner.
 Buffer<vtkIdType> GatherTriangles(
   const SurfaceSteps<int>& steps, const std::vector<vtkIdType>& vertices, vtkDataArray* points)

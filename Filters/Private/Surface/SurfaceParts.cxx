@@ -81,9 +81,9 @@ Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
 }
 
 /// Writes the numbers that points and cells have in the whole output, of which this is a part, and
-/// what the next filter needs to go on. `isLevel`: all points are those of a level. Where the next
-/// one cannot go on, it is told so, and warns. With a scheme that does not halve edges cells of a
-/// part do not show the control mesh: the stamp then has no levels, and the numbers alone are left.
+/// data for the next filter. `isLevel`: all points are the points of a level. Where the next one
+/// cannot go on, it is told so, and warns. With a scheme that does not halve edges cells of a part
+/// do not show the control mesh: the stamp then has no levels, and the numbers alone are left.
 template <typename Id>
 void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a subdivision of a surface is before its output: whether the stamp is true, where creases
-// are, and the levels.
+// A subdivision of a surface before its output: whether the stamp is true, where creases are, and
+// the levels.
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
@@ -114,7 +114,7 @@ SurfaceTags<Id> SurfaceRun<Id>::Classify(
 {
   SurfaceTags<Id> tags =
     ClassifySurface(control.Mesh, *this->Scheme, features, this->GetControlCoordinates());
-  // Angles are those of the first input.
+  // Angles of the first input stay.
   const std::size_t size = tags.Sectors.size();
   if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
   {
@@ -168,7 +168,7 @@ std::vector<std::string> SurfaceRun<Id>::DescribeOpen(
   return DescribeOpenPointsOfSurface(level.Mesh, this->Points->GetCoordinates(), options);
 }
 
-/// The first level of which only what goes on with Options.Splits can be left; 0: there is none.
+/// The first level that can be cut to the cells that go on by Options.Splits; 0: there is none.
 template <typename Id>
 int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness& sharpness) const
 {
@@ -285,7 +285,7 @@ void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases&
       const SurfaceLevel<Id>& made = steps.GetLevel(0);
       SurfaceTags<Id> more =
         ClassifySurface(made.Mesh, *this->Scheme, sharper, this->GetControlCoordinates());
-      for (Sector<Id>& sector : more.Sectors) // corners that stay what they were
+      for (Sector<Id>& sector : more.Sectors) // corners that were corners before
       {
         const Sector<Id>* known = FindEqualSector(made.Tags, sector);
         sector.Angle = known ? known->Angle : sector.Angle;
@@ -295,7 +295,7 @@ void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases&
     });
 }
 
-/// Sets the creases that no cell array has: those of the stamp, or features and marks.
+/// Sets the creases that no cell array has: from the stamp, or features and marks.
 template <typename Id>
 void SurfaceRun<Id>::FindCreases(const PolygonMesh<Id>& mesh, const SurfaceCells& cells)
 {
@@ -442,7 +442,7 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   return vtkDataArray::SafeDownCast(Gather(points, { sources.begin(), sources.end() }));
 }
 
-/// Whether the input is what the steps made of the control mesh.
+/// Whether the input is the mesh that the steps made of the control mesh.
 template <typename Id>
 bool SurfaceRun<Id>::IsDescendant() const
 {

@@ -100,7 +100,7 @@ private:
       static_cast<double>(this->Stamp.NumberOfControlFaces), corners, this->Stamp.Levels);
     return faces <= 8. * static_cast<double>(this->Cells.GetNumberOfFaces()) + 1000.;
   }
-  /// What the level of the input has, if the stamp is true: levels that have more are not made.
+  /// The size of the level of the input, if the stamp is true: larger levels are not made.
   ClaimedLevel GetClaimedLevel() const
   {
     ClaimedLevel claimed;
@@ -153,7 +153,7 @@ private:
   void MakeControl(
     const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
   void Interpolate();
-  /// What the stamp says of it.
+  /// The numbers of interpolation for the stamp.
   std::vector<vtkIdType> GetInterpolated() const
   {
     return this->Solves ? this->Options.Interpolation.GetNumbers() : this->Stamp.Interpolated;
@@ -238,7 +238,7 @@ private:
   SurfaceCells Cells;
   SurfaceCells Lifted; ///< the control cells, where earlier filters made levels
   SurfaceStamp Stamp;
-  /// What the user gave of control points.
+  /// Values that the user gave at control points.
   struct
   {
     std::vector<double> Angles;
@@ -246,7 +246,7 @@ private:
   } Given;
   std::vector<double> ControlCoordinates; ///< only of a part
   int MadeLevels = 0;
-  bool ExceedsStamp = false;         ///< a level before that of the input is larger
+  bool ExceedsStamp = false;         ///< a level before the input's level is larger
   std::vector<std::string> Warnings; ///< not told until it is known whether the stamp is true
   SimplicesOfCells NoCentres;
   std::vector<vtkIdType> GlobalIds;
@@ -257,8 +257,8 @@ private:
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept
   SurfaceSteps<Id>* Steps = nullptr;
   JoinedSurface JoinedMesh;
-  SurfaceSteps<Id>* Joined = nullptr; ///< what the points follow where there are seams
-  /// The control level, and that of the joined mesh; null where their limits are not needed.
+  SurfaceSteps<Id>* Joined = nullptr; ///< the points follow it where there are seams
+  /// The control level, also of the joined mesh; null where their limits are not needed.
   SurfaceSteps<Id>* Control = nullptr;
   SurfaceSteps<Id>* JoinedControl = nullptr;
   KeptSurface* Kept = nullptr;

@@ -20,8 +20,7 @@ struct JoinedSurface
   SurfaceCells Cells;
 };
 
-/// Joins points of equal coordinates, but not those of one face or segment. False if no cell
-/// changes.
+/// Joins points of equal coordinates, but not of one face or segment. False if no cell changes.
 bool JoinEqualPoints(const SurfaceCells& cells, const double* points, JoinedSurface& joined);
 
 /// Where a seam ends, meets others, or a boundary or crease, it has a corner on each side. `mesh`:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceSearch.h
- * The cells of a surface as those in which the nearest places are searched (NearestPlaces.h).
+ * The cells of a surface, in which the nearest places are searched (NearestPlaces.h).
  */
 #ifndef SubdivisionObjects_SurfaceSearch_h
 #define SubdivisionObjects_SurfaceSearch_h
@@ -34,7 +34,7 @@ public:
 
   /// The cell of the surface with a place.
   vtkIdType FindOwner(const NearestPlace& place) const;
-  /// The place, on an edge that may have faces. Its parameters are those of the search.
+  /// The place, on an edge that may have faces. Its parameters are as in the search.
   SurfacePlace<Id> MakePlace(const NearestPlace& place) const;
   /// How far a place on a line is from its first point.
   double GetPlaceOnLine(const NearestPlace& place) const

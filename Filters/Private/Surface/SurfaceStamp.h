@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceStamp.h
- * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give what one
- * filter would have given (Mathematics 2).
+ * How vtkSurfaceSubdivision recognises its own output, so that filters in a row give the same
+ * result as one filter (Mathematics 2).
  *
  * Field arrays:
  *  - `SubdivisionSurface`: scheme, levels and counts.
@@ -88,9 +88,9 @@ struct SurfaceStamp
   /// be found from their children.
   std::vector<vtkIdType> Cells;
   CarriedCells Carried;
-  /// In a part of a surface of which several partitions have parts, in the place of Angles,
-  /// FaceAngles and GivenCorners: of each control point six numbers, its number in the whole, its
-  /// coordinates, and the angle and flatness that the user gave, or -1.
+  /// In a part of a surface of which several partitions have parts, instead of Angles, FaceAngles
+  /// and GivenCorners: of each control point six numbers, its number in the whole, its coordinates,
+  /// and the angle and flatness that the user gave, or -1.
   std::vector<double> ControlPoints;
 
   bool IsOfPart() const { return !this->ControlPoints.empty(); }
@@ -100,7 +100,7 @@ struct SurfaceStamp
 
 /// False where there is no stamp, or it is not of this mesh.
 bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp);
-/// The same for the stamp of a part; `cells` are those of the input.
+/// The same for the stamp of a part; `cells` are the cells of the input.
 bool ReadStampOfPart(vtkPolyData* input, const SurfaceCells& cells, SurfaceStamp& stamp);
 /// Gives the edges of the control level of a part the direction that they have in the whole, where
 /// faces that the part lacks may decide it. The points on them, in `cells`, tell.

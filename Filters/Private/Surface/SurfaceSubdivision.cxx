@@ -115,7 +115,7 @@ bool SurfaceRun<Id>::Execute()
   {
     this->AddFrames(tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
   }
-  this->WriteCells(); // after the points: those of the last level but one take no memory any more
+  this->WriteCells(); // after the points: the last level but one takes no memory any more
   this->Points->Finish(this->Output);
   if (this->WantsFrames())
   {

@@ -33,7 +33,7 @@ struct SurfaceOptions : RunOptions
   vtkSmartPointer<vtkDataArray> Flatness;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;
-  /// Null, or what is wanted in place of an output, by schemes that FindSurfacePlaces knows.
+  /// Null, or places that are wanted, not an output, by schemes that FindSurfacePlaces knows.
   const PlaceRequest* Places = nullptr;
   /// Null, or of which cells children are wanted; then nothing is kept.
   CellSplits* Splits = nullptr;

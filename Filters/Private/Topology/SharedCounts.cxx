@@ -119,7 +119,7 @@ vtkIdType FindOwnComponents(const SimplicialComplex<Id>& complex,
   return size;
 }
 
-/// The links between own components and those of others, for the first partition.
+/// The links between own components and components of others, for the first partition.
 std::set<Link> FindLinks(
   const OwnSimplices& own, const Buffer<vtkIdType> components[4], Partners& partners)
 {

@@ -21,7 +21,7 @@ struct ComplexNumbers
   vtkIdType Components[4] = { 0, 0, 0, 0 }; ///< connected components of C_0 to C_3
 };
 
-/// What a partition has of a complex.
+/// The simplices of a complex that are a partition's own.
 struct OwnSimplices
 {
   /// Of each vertex, edge, face and tetrahedron: 1 if the first cell that it lies on is own. So
@@ -32,10 +32,10 @@ struct OwnSimplices
 };
 
 /**
- * The numbers of the whole complex. Each partition finds the components of its own edges; those of
- * two partitions that share a vertex are one. Partitions tell each other which components they have
- * at shared vertices, and the first one which of them are one: two exchanges, and 40 bytes for each
- * two components that meet at the border of two partitions.
+ * The numbers of the whole complex. Each partition finds the components of its own edges;
+ * components of two partitions that share a vertex are one. Partitions tell each other which
+ * components they have at shared vertices, and the first one tells which of them are one. This
+ * takes two exchanges, and 40 bytes for each two components that meet at a border.
  */
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,

@@ -36,7 +36,7 @@ Ids NumberPoints(vtkPointSet* input, const ControlMesh& mesh, Partners& partners
 }
 
 /// Of own cells of one dimension, by the numbers of their points; the first one has the number
-/// `first`, which becomes that of the next dimension.
+/// `first`, which becomes the first one of the next dimension.
 void NumberCells(vtkUnstructuredGrid* output, const Ids& own, int dimension, const Ids& points,
   vtkIdType& first, Partners& partners, Ids& numbers)
 {

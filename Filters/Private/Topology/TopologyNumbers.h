@@ -20,12 +20,12 @@ namespace subdivision
 class Partners;
 
 /**
- * Adds the numbers as arrays to an output whose points are those of `mesh`, and whose cells are
- * vertices, then edges, then triangles. `mesh` is what was read from `input`, the mesh that
- * `partners` know; `isOwn`: whether an output cell lies on an own cell of the input, others get -1.
+ * Adds the numbers as arrays to an output with the points of `mesh`, whose cells are vertices, then
+ * edges, then triangles. `mesh` was read from `input`, the mesh that `partners` know; `isOwn`:
+ * whether an output cell lies on an own cell of the input, others get -1.
  *
  * The whole output has the cells of each kind in the order of the numbers of their points, so that
- * NumberTogether finds theirs: ten exchanges with those for points.
+ * NumberTogether finds their numbers: ten exchanges, with the ones for points.
  */
 void AddTopologyNumbers(vtkPointSet* input, const ControlMesh& mesh,
   const std::function<bool(vtkIdType)>& isOwn, Partners& partners, vtkUnstructuredGrid* output);

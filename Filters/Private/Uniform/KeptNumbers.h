@@ -21,8 +21,8 @@ namespace subdivision
 
 /**
  * All partitions make the same calls. A new point is known by the numbers of the corners whose mean
- * it is, those of hexahedra by the input cell and which of its hexahedra they are in: two exchanges
- * for input points and cells each, and six for each step.
+ * it is, in hexahedra by the input cell and the hexahedron of it: two exchanges for input points
+ * and cells each, and six for each step.
  */
 class KeptNumbers
 {

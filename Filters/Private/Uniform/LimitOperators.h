@@ -24,12 +24,12 @@ struct LimitOperators
   bool HasTangents = false; ///< these go to arrays of their own
 
   LimitOperators() = default;
-  /// The level is that of any volume scheme.
+  /// A level of any volume scheme.
   template <typename Level>
   LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
     const ControlSolids& solids, bool project, bool generateNormals, bool generateTangents);
 
-  /// `arrays` are those of the level; `inverted` and `turned` as in ComputeLimitNormals.
+  /// `arrays` belong to the level; `inverted` and `turned` as in ComputeLimitNormals.
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
     const Buffer<unsigned char>& turned) const;
   std::size_t GetMemorySize() const

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OperatorCache.h
- * What a filter keeps between executions: for each mesh that it saw in its last update, the
+ * The cache of a filter between executions: for each mesh that it saw in its last update, the
  * operators of all levels and the output's cells.
  */
 #ifndef SubdivisionObjects_OperatorCache_h
@@ -50,14 +50,14 @@ template <typename Id>
 class KeptStepsOf : public KeptSteps
 {
 public:
-  /// `colours`: those of the points after the step; none where no array has weights.
+  /// `colours`: of the points after the step; none where no array has weights.
   void Add(Stencils<Id>&& stencils, std::vector<ColourMask>&& colours)
   {
     this->Steps.push_back(std::move(stencils));
     this->Colours.push_back(std::move(colours));
   }
-  /// Sets what copies points to the columns of the last step, where that is cut (LevelCut.h). As in
-  /// PointArrays::Take.
+  /// Sets the rows that copy points to the columns of the last step, where this is cut
+  /// (LevelCut.h). As in PointArrays::Take.
   void SetColumns(SparseRows<Id>&& columns, vtkIdType staying)
   {
     this->Columns = std::move(columns);
@@ -191,7 +191,7 @@ struct KeptOperator
   FaceSides Sides; ///< of the level that was read, where normals are made
   /// The warnings that building gave.
   std::vector<std::string> Warnings;
-  /// Points that went in (a copy), how far they were moved to interpolate, and what came out.
+  /// Points that went in (a copy), how far interpolation moved them, and points that came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
   double PointsWeight = 0.;
   vtkSmartPointer<vtkDataArray> PointsOut;
@@ -200,7 +200,7 @@ struct KeptOperator
   SharedArrays HandedPoints;
   bool Used = true;
 
-  /// Sets what the output has, after nothing else changes it.
+  /// Sets the arrays that the output has, after nothing else changes it.
   void HandOut(const UniformCells& cells, vtkDataArray* points);
   /// Whether nobody wrote into the output's cells, or its points.
   bool HasCells() const;

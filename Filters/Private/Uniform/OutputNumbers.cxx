@@ -64,7 +64,7 @@ public:
 private:
   using Flags = std::vector<char>;
 
-  /// What some control simplices have; `wanted`: flags of these, empty: all.
+  /// Some control simplices with their faces; `wanted`: flags of these, empty: all.
   ControlParts FindParts(const Flags& wanted) const
   {
     const auto& complex = this->Complex;
@@ -112,8 +112,8 @@ private:
       });
   }
 
-  /// act(its index, its dimension, its number among those of the complex, whether the complex has
-  /// an equal one instead) for each simplex: those of the control mesh, and then derived ones.
+  /// act(its index, its dimension, its number in the complex, whether the complex has an equal one
+  /// instead) for each simplex: of the control mesh, and then derived ones.
   template <typename Act>
   void ForSimplices(const Act& act) const
   {
@@ -133,7 +133,7 @@ private:
       }
     }
   }
-  /// The same for those of the control mesh only.
+  /// The same for simplices of the control mesh only.
   template <typename Act>
   void ForControl(const Act& act) const
   {
@@ -163,7 +163,7 @@ private:
     this->Pieces = MakeKeysOfPieces(this->Cells, places, this->With);
   }
 
-  /// Cells of the output, and those lines, triangles and tetrahedra that are control simplices.
+  /// Cells of the output, and lines, triangles and tetrahedra that are control simplices.
   void NumberSimplices(int steps)
   {
     SharedKeys simplices = this->Pieces;
@@ -195,7 +195,7 @@ private:
     std::copy_n(numbers.Totals.begin() + 1, 3, this->Made.Totals.begin() + 1);
   }
 
-  /// Edges or faces that are no control simplices: those of the complex from First to Last.
+  /// Edges or faces that are no control simplices: from First to Last in the complex.
   template <int Size>
   struct Faces
   {
@@ -203,7 +203,7 @@ private:
     vtkIdType First;
     vtkIdType Last;
     size_t Kind; ///< 0 and 1: derived edges and the others; 2 and 3: the same for faces
-    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: its first vertex, its place there
+    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: first vertex, position there
   };
 
   /// Numbers the edges and faces that are no control simplices. In the whole derived ones come
@@ -239,7 +239,7 @@ private:
     this->TakeNumbers(faces, found);
   }
 
-  /// Finds the places of edges or faces among those that begin at the same vertex, and counts them.
+  /// Finds the positions of edges or faces among all with the same first vertex, and counts them.
   template <int Size>
   void CountAtVertices(Faces<Size>& faces, Ids& counts) const
   {
@@ -291,7 +291,7 @@ private:
   const SimplicialComplex<Id>& Complex;
   Ids Cells;         ///< of each control simplex, the input cell
   SharedKeys Pieces; ///< control simplices as pieces of these cells
-  ControlParts Own;  ///< what own simplices have
+  ControlParts Own;  ///< own simplices, with their faces
   ControlNumbers Made;
 };
 

@@ -24,11 +24,11 @@ namespace subdivision
 
 class Partners;
 
-/// Of what the output is made, where the mesh has copies of cells of other partitions.
+/// The simplices that go into the output, where the mesh has copies of cells of other partitions.
 struct WantedSimplices
 {
   std::vector<char> Flags;       ///< one for each control simplex; empty: all are wanted
-  std::vector<vtkIdType> Points; ///< those that no cell of the input uses, if not all are wanted
+  std::vector<vtkIdType> Points; ///< that no cell of the input uses, if not all are wanted
 
   bool IsAll() const { return this->Flags.empty(); }
   bool Has(vtkIdType simplex) const { return this->IsAll() || this->Flags[simplex]; }
@@ -44,7 +44,7 @@ struct ControlNumbers
   /// Of vertices, edges, faces and tetrahedra; -1 far from own cells. How many the whole has.
   std::array<std::vector<vtkIdType>, 4> Numbers;
   std::array<vtkIdType, 4> Totals{};
-  /// Those that wanted simplices have, and wanted points.
+  /// Wanted simplices with their faces, and wanted points.
   ControlParts Parts;
   /// Of each wanted simplex, the number of its first cell in the output.
   std::vector<vtkIdType> FirstCells;
@@ -57,11 +57,11 @@ struct ControlNumbers
 
 /**
  * Numbers control simplices. `complex` is the one of the control mesh and of derived singular
- * simplices, and `runs` those of the former, and then of the latter. `mesh` is what was read from
+ * simplices, and `runs` has runs of the former, and then of the latter. `mesh` was read from
  * `input`, the mesh that `partners` know; the output is `steps` steps after its control mesh. All
  * partitions call this together.
  *
- * The ids of children follow from those of their parents by arithmetic. So it is enough to number
+ * The ids of children follow from the ids of their parents by arithmetic. So it is enough to number
  * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 14
  * exchanges, however many steps there are. About 100 bytes are sent for each control tetrahedron.
  */

@@ -22,8 +22,8 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-/// `fine`: what one or two steps of the tet/oct scheme make of `simplices`. `octahedra` says for
-/// each of these of which octahedron it is a quarter; -1: of none.
+/// `fine`: `simplices` after one or two steps of the tet/oct scheme. `octahedra` says for each of
+/// these of which octahedron it is a quarter; -1: of none.
 vtkSmartPointer<vtkUnstructuredGrid> CutSolidsAnew(vtkUnstructuredGrid* fine,
   const SimplexList& simplices, const Buffer<vtkIdType>& octahedra, int steps);
 

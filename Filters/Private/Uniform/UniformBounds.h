@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// Adds error bounds to what SubdivideUniformly made (ErrorBounds.h), or warns that there are none.
-/// Returns false after an error, or a stop.
+/// Adds error bounds to the output of SubdivideUniformly (ErrorBounds.h), or warns that there are
+/// none. Returns false after an error, or a stop.
 bool AddUniformBounds(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 

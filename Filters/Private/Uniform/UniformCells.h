@@ -34,16 +34,16 @@ struct UniformCells
   KnownSigns Signs; ///< of the volumes
 };
 
-/// A level's cells after 1 or 2 steps, or as many as Scheme::WriteChildren can; `runs` are those of
-/// the level. `small`: with 32-bit ids
-/// where they fit. `points` are those after the steps, and only pieces depend on them: octahedra
-/// are cut around their shortest diagonal, or, if `points` is null, around any, for TurnOctahedra.
+/// A level's cells after 1 or 2 steps, or as many as Scheme::WriteChildren can; `runs` are its
+/// runs. `small`: with 32-bit ids where they fit. `points` are the points after the steps, and only
+/// pieces depend on them: octahedra are cut around their shortest diagonal, or, if `points` is
+/// null, around any, for TurnOctahedra.
 template <typename Scheme>
 UniformCells MakeChildren(const typename Scheme::Level& level, const std::vector<CellRun>& runs,
   int steps, vtkDataArray* points, bool small);
 
-/// Copies cells as they were read. `runs`: those of their level. `steps`: number of steps behind
-/// this level in a scheme with pieces, negative in others.
+/// Copies cells as they were read. `runs`: of their level. `steps`: number of steps behind this
+/// level in a scheme with pieces, negative in others.
 UniformCells CopyCells(
   const SimplexList& cells, const std::vector<CellRun>& runs, int steps, bool small);
 

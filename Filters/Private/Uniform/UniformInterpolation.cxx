@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How a uniform subdivision interpolates, and what it says of the result.
+// How a uniform subdivision interpolates, and warns of the result.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Operators/SparseRows.h"
@@ -30,7 +30,7 @@ double UniformRun::GetPointsWeight() const
 }
 
 /// Decides, with all partitions, whether they solve for control points, and whether the points of
-/// the output are those that were kept: all of them have to be.
+/// the output are the kept ones: all of them have to be.
 void UniformRun::PlanInterpolation()
 {
   this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
@@ -56,7 +56,7 @@ void UniformRun::Interpolate(const PointOperator* limit)
   }
 }
 
-/// Says in the stamp what was solved for, here or by an earlier filter.
+/// Says in the stamp which values were solved for, here or by an earlier filter.
 void UniformRun::StampInterpolation(StampedIds& ids) const
 {
   if (this->Solves)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a uniform subdivision keeps for the next execution, and how that is used.
+// The data that a uniform subdivision keeps for the next execution, and its use.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
@@ -144,7 +144,7 @@ void UniformRun::UseKept(KeptOperator& kept)
   }
   else
   {
-    kept.PointsOut = nullptr; // until they are those of PointsIn: memory may not suffice
+    kept.PointsOut = nullptr; // until they belong to PointsIn: memory may not suffice
     kept.IsUpright = false;
     kept.PointsIn->DeepCopy(this->Points->GetPoints());
     kept.PointsWeight = this->GetPointsWeight();
@@ -194,7 +194,7 @@ void UniformRun::FindFactors() const
   }
 }
 
-/// Stores what this run built for the next execution.
+/// Stores the operators and cells of this run for the next execution.
 void UniformRun::Keep()
 {
   if (!this->ToKeep || !this->Options.Cache)

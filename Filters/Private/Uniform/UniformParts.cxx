@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a uniform subdivision does if its mesh has copies of cells of other partitions: it leaves
-// them out of the last step, and numbers its output as the whole does.
+// A uniform subdivision of a mesh with copies of cells of other partitions: it leaves them out of
+// the last step, and numbers its output as the whole does.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
@@ -45,9 +45,9 @@ void AddLayer(const SimplexList& simplices, std::vector<char>& flags)
 
 }
 
-/// Finds the control simplices whose children the output needs. With limits all are made to the
-/// end, because a limit depends on a ring of the last level; with fields of materials, because the
-/// colours of a point are those of all cells at it; and where somebody else reads them.
+/// Finds the control simplices whose children the output needs. All are made to the end with
+/// limits, because a limit depends on a ring of the last level, with fields of materials, because
+/// the colours of a point come from all cells at it, and where others read them.
 void UniformRun::FindWanted()
 {
   this->Wanted = WantedSimplices();
@@ -168,8 +168,7 @@ void UniformRun::FindTurned()
       this->Mesh.MadeLevels);
 }
 
-/// Finds what the output needs of a level `further` steps before the last, and the runs of that
-/// part.
+/// Finds the part of a level `further` steps before the last that the output needs, and its runs.
 template <typename Scheme>
 LevelCut<Scheme> UniformRun::MakeCut(const typename Scheme::Level& level, int further)
 {
@@ -180,7 +179,7 @@ LevelCut<Scheme> UniformRun::MakeCut(const typename Scheme::Level& level, int fu
   return cut;
 }
 
-/// Leaves only what the output needs for the last step.
+/// Leaves only the part that the output needs for the last step.
 template <typename Scheme>
 std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(
   typename Scheme::Level& level, Kept<Scheme>& kept)
@@ -197,7 +196,7 @@ std::unique_ptr<LevelCut<Scheme>> UniformRun::CutOff(
 }
 
 /// Takes the simplices that are not wanted out of the mesh that was read, when all is made that
-/// depends on them. What was kept is without them already.
+/// depends on them. A kept mesh is without them already.
 void UniformRun::LeaveWanted()
 {
   if (this->Wanted.IsAll())
@@ -206,7 +205,7 @@ void UniformRun::LeaveWanted()
   }
   const int made = this->Mesh.MadeLevels;
   const std::vector<unsigned char> dimensions = this->Mesh.GetControl().Dimensions;
-  // The values of wanted simplices, where each simplex has those of its children after some levels.
+  // The values of wanted simplices; each simplex has the values of its children after some levels.
   const auto pick = [&](const auto& values, int levels)
   {
     std::decay_t<decltype(values)> picked;

@@ -30,7 +30,7 @@ namespace
 using Vector = std::array<double, 3>;
 
 /// The places of a part are looked at together: few, so that their rows take little memory and a
-/// user can stop between them. Those in solids have far more entries.
+/// user can stop between them. Rows in solids have far more entries.
 template <typename Id, typename LevelType, typename Use>
 void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
   const std::vector<LimitPlace<Id>>& places, PlaceDerivatives derivatives, const Use& use)

@@ -2,10 +2,10 @@
 /**
  * @file UniformRun.h
  * One execution of a uniform subdivision: it reads, plans, and writes (UniformSubdivision.cxx); the
- * steps between (UniformSteps.cxx); what it keeps for the next (UniformKept.cxx); what it does if
- * its mesh is a part of a whole (UniformParts.cxx), or if only some cells go on
- * (UniformSplits.cxx); the limit at places (UniformPlaces.cxx); how it interpolates, and what it
- * says of the result (UniformInterpolation.cxx).
+ * steps between (UniformSteps.cxx); data for the next one (UniformKept.cxx); meshes that are a part
+ * of a whole (UniformParts.cxx), or of which only some cells go on (UniformSplits.cxx); the limit
+ * at places (UniformPlaces.cxx); interpolation, and warnings of its result
+ * (UniformInterpolation.cxx).
  */
 #ifndef SubdivisionObjects_UniformRun_h
 #define SubdivisionObjects_UniformRun_h
@@ -41,7 +41,7 @@ public:
   {
   }
   bool Run();
-  /// Finds the limit at places, in place of an output.
+  /// Finds the limit at places, without an output.
   bool FindPlaces(const PlaceRequest& request);
   /// The same for the operators alone. The output gets no more than points and cells.
   bool FindOperators(UniformOperators& operators);
@@ -150,11 +150,11 @@ private:
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
   TopologyKey Key;                      ///< for the cache
-  KeptOperator* Found = nullptr;        ///< what an earlier execution kept, if it fits
-  std::unique_ptr<KeptOperator> ToKeep; ///< what this one will keep; null: nothing
+  KeptOperator* Found = nullptr;        ///< an earlier execution kept it, and it fits
+  std::unique_ptr<KeptOperator> ToKeep; ///< this execution will keep it; null: nothing
   /// The current level, if nothing kept fits.
   VolumeLevel Current;
-  ControlTraits Control; ///< its runs are those of the current level
+  ControlTraits Control; ///< its runs belong to the current level
   SharpTuples Derived;   ///< derived singular simplices: points of the output
   std::vector<std::string> BuildWarnings;
   const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
@@ -167,9 +167,9 @@ private:
   /// Control triangles that are turned, in the whole mesh; empty: none, or there are no normals.
   Buffer<unsigned char> Turned;
   bool IsNarrow = false;     ///< only cells go on that Options.Splits say
-  SimplicesOfCells Split;    ///< then: those of the last level that these know
+  SimplicesOfCells Split;    ///< then: of the last level that these know
   bool Solves = false;       ///< all partitions interpolate
-  bool ReusesPoints = false; ///< what was kept has the points of the output
+  bool ReusesPoints = false; ///< the points of the output were kept
   /// For an input with octahedra: the cells whose values the children of its cells take
   /// (FindParents).
   std::vector<vtkIdType> Parents;

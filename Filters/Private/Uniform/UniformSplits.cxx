@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a uniform subdivision does if only some cells go on: it leaves of each level what these
-// depend on.
+// A uniform subdivision of which only some cells go on: each level keeps them and the cells on
+// which they depend.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/CellSplits.h"
@@ -49,8 +49,8 @@ std::vector<CellRun> TakeFlagged(const std::vector<CellRun>& runs, const std::ve
   return RefineRuns(taken, 0);
 }
 
-/// Flags the vertices of the cells of runs with 1, and those within `distance` edges of them with
-/// larger numbers.
+/// Flags the vertices of the cells of runs with 1, and vertices within `distance` edges of them
+/// with larger numbers.
 template <typename Id>
 Buffer<unsigned char> FlagVertices(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int distance)
@@ -127,7 +127,7 @@ bool UniformRun::FindSplit()
   return true;
 }
 
-/// Whether a level that was built has no rules that depend on what is far away.
+/// Whether a level that was built has no rules that depend on cells far away.
 bool UniformRun::IsLocal() const
 {
   return std::visit([](const auto& level)
@@ -135,7 +135,7 @@ bool UniformRun::IsLocal() const
 }
 
 /// Leaves of the level after `step` steps the cells that go on and, where no semi-sharp rule holds
-/// any more, what lies around them: their limits depend on no more.
+/// any more, their surroundings: their limits depend on no more.
 template <typename Scheme>
 void UniformRun::Narrow(typename Scheme::Level& level, int step)
 {

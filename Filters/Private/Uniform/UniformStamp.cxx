@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a uniform subdivision writes for the next filter.
+// The stamp of a uniform subdivision for the next filter.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Private/Control/StampFields.h"
@@ -33,7 +33,7 @@ void UniformRun::WriteStamps()
   WriteStampedIds(ids, this->Output);
 }
 
-/// Finds what is left of the sharpness of derived simplices.
+/// Finds the remaining sharpness of derived simplices.
 void UniformRun::LowerSharpness()
 {
   const int all = this->Mesh.MadeLevels + this->Options.Levels;
@@ -42,7 +42,7 @@ void UniformRun::LowerSharpness()
     const std::vector<double>& given = this->Control.Derived.Sharpness[dimension];
     std::vector<double>& left = this->Derived.Sharpness[dimension];
     left.clear();
-    for (std::size_t i = 0; i < given.size(); ++i) // what is left, for all children
+    for (std::size_t i = 0; i < given.size(); ++i) // the rest, for all children
     {
       if (this->Wanted.IsAll() || this->Numbers.HasDerived[dimension][i])
       {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of a uniform subdivision: from the control level, or from what was kept of it, to the
-// points and cells of the output.
+// The steps of a uniform subdivision: from the control level, or from kept operators, to the points
+// and cells of the output.
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
@@ -251,8 +251,8 @@ void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
   this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
 }
 
-/// The last two steps without the level between them. Of the last one only what the output needs is
-/// made.
+/// The last two steps without the level between them. Of the last one only rows that the output
+/// needs are made.
 template <typename Scheme>
 void UniformRun::StepTwice(const typename Scheme::Level& level)
 {
@@ -324,7 +324,7 @@ void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& ke
   }
 }
 
-/// Makes the cells of the output. `points` are those of the output, or null where they are not
+/// Makes the cells of the output. `points` are points of the output, or null where they are not
 /// known yet; then pieces are chosen later.
 template <typename Scheme>
 void UniformRun::MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points)

@@ -103,7 +103,7 @@ void UniformRun::Read(bool trustStamp)
   }
 }
 
-/// Starts points and arrays, and does what needs coordinates of the control mesh.
+/// Starts points and arrays, and does all that needs coordinates of the control mesh.
 void UniformRun::StartPoints()
 {
   PointArrayOptions arrays;
@@ -141,7 +141,7 @@ void UniformRun::StartPoints()
   this->IsNarrow = this->FindSplit();
 }
 
-/// Finds what was kept for this mesh, or builds the current level. Returns false if the stamp is
+/// Finds the kept operator of this mesh, or builds the current level. Returns false if the stamp is
 /// wrong.
 bool UniformRun::FindKeptOrBuild()
 {
@@ -160,7 +160,7 @@ bool UniformRun::Build()
   const int levels = std::max(1, this->Options.Levels + (further ? 1 : 0));
   const bool hasSmallLevels =
     this->IsNarrow && !this->Options.Features.Sharpness && !this->Mesh.IsStamped;
-  const bool large = hasSmallLevels // one level more: with what lies around
+  const bool large = hasSmallLevels // one level more: with the surroundings
     ? NeedsLargeIds(this->Mesh.GetControl(), 2, this->GetScheme()) ||
       NeedsLargeIds(this->Split.Simplices, this->GetLastSteps() + 2, this->GetScheme())
     : NeedsLargeIds(this->Mesh.GetControl(), this->Mesh.MadeLevels + levels, this->GetScheme());

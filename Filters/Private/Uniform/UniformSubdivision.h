@@ -35,11 +35,11 @@ struct UniformOptions : RunOptions
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
   }
   bool Use32BitIds = false;
-  bool KeepsCopies = false;   ///< all cells of a part, also those of others, are made to the end
+  bool KeepsCopies = false;   ///< all cells of a part, also of others, are made to the end
   bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.
   OperatorCache* Cache = nullptr;
-  /// Null, or what is wanted in place of an output.
+  /// Null, or places that are wanted, not an output.
   const PlaceRequest* Places = nullptr;
   /// Null, or of which cells children are wanted; then there is no stamp, and nothing is kept.
   CellSplits* Splits = nullptr;
@@ -50,13 +50,13 @@ struct UniformOptions : RunOptions
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 
-/// The operators of the steps from one mesh, and what they make of it.
+/// The operators of the steps from one mesh, and the mesh after them.
 struct UniformOperators
 {
   SimplicesOfCells Control;             ///< the cells of the mesh as simplices
   std::unique_ptr<KeptSteps> Steps;     ///< null for no step
   UniformCells Cells;                   ///< after the steps
-  vtkSmartPointer<vtkDataArray> Points; ///< of these; for no step maybe those of the mesh
+  vtkSmartPointer<vtkDataArray> Points; ///< of these; for no step maybe of the mesh
 };
 
 /// Finds the operators without an output. Returns false after an error (passed to Fail) or if

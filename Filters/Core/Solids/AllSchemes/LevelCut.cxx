@@ -15,7 +15,7 @@ LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int st
 {
   const auto& complex = level.Complex;
   const std::vector<IdSegment> vertices = Scheme::Traits.ListVertices(steps);
-  // The vertices of the next level are those of this one and the midpoints of its edges.
+  // The vertices of the next level are the vertices of this one and the midpoints of its edges.
   std::vector<IdSegment> edges = Scheme::Traits.ListVertices(steps + 1);
   edges.erase(edges.begin(), edges.begin() + static_cast<std::ptrdiff_t>(vertices.size()));
   this->Vertices = this->SelectParts(parts, complex.NumberOfVertices, vertices);
@@ -45,8 +45,7 @@ LevelCut<Scheme>::LevelCut(const Level& level, const ControlParts& parts, int st
   }
 }
 
-/// Selects faces that lie in control faces, and, before two steps, those inside control
-/// tetrahedra.
+/// Selects faces that lie in control faces, and, before two steps, faces inside control tetrahedra.
 template <typename Scheme>
 void LevelCut<Scheme>::SelectFaces(const Level& level, const ControlParts& parts)
 {
@@ -77,7 +76,7 @@ void LevelCut<Scheme>::SelectFaces(const Level& level, const ControlParts& parts
   this->Faces = Selection<Id>(flags);
 }
 
-/// Selects what kept control simplices have become, the first `size` ids of the segments.
+/// Selects the descendants of kept control simplices, the first `size` ids of the segments.
 template <typename Scheme>
 Selection<typename Scheme::Id> LevelCut<Scheme>::SelectParts(
   const ControlParts& parts, vtkIdType size, std::vector<IdSegment> segments) const
@@ -254,12 +253,12 @@ void LevelCut<Scheme>::CutCounts(const TetOctLevel<Id>& level, TetOctLevel<Id>& 
   part.TetsAtSpokes = counts;
 }
 
-/// The number in the part of control simplex i of those that `run` counts; -1: it is not kept.
+/// The number in the part of control simplex i, as `run` counts them; -1: it is not kept.
 template <typename Scheme>
 typename Scheme::Id LevelCut<Scheme>::GetNewNumber(const CellRun& run, vtkIdType i) const
 {
-  // In a scheme with octahedra the descendants of a tetrahedron that count here are those at the
-  // vertices of tetrahedra.
+  // In a scheme with octahedra only the descendants of a tetrahedron at the vertices of tetrahedra
+  // count here.
   const int shift =
     Scheme::Traits.HasPieces && run.Dimension == 3 ? 2 * this->Steps : run.Dimension * this->Steps;
   const Selection<Id>* selections[4][2] = { { &this->VertexCells, nullptr },

@@ -4,8 +4,8 @@
  * The part of a level that some control simplices have become, for last steps of these alone.
  *
  * The last step makes seven of eight points. Where a mesh has cells that only tell the rules of
- * others, they are cut off before it. Ids in the part are those that the part of the control mesh
- * would have alone, so that all arithmetic of ids holds in it.
+ * others, they are cut off before it. The part of the control mesh alone would have the same ids,
+ * so that all arithmetic of ids holds in the part.
  *
  * Before one step, rings are cut too, but keep members beyond the part: these are columns of its
  * operator that come after its vertices. Before two steps at once, the operator of the last one is
@@ -48,15 +48,15 @@ public:
   /// The part of a level with the same complex. Before one step it is for Depth::ForOutput, and its
   /// rings have no carriers; before two it has no rings.
   Level Cut(const Level& level) const;
-  /// What ChildRows makes rows of, before two steps; `part`: of Cut.
+  /// The simplices that ChildRows makes rows of, before two steps; `part`: of Cut.
   typename ChildRows::Selected SelectChildren(const Level& part) const;
   /// The number in the level of a vertex of the part, and how many there are.
   vtkIdType GetVertex(vtkIdType vertex) const { return this->Vertices.Old[vertex]; }
   vtkIdType GetNumberOfVertices() const { return this->Vertices.Old.size(); }
-  /// Of cells in `runs` those that are kept and, if `wanted` has flags, one for each control
-  /// simplex in `runs`, that are wanted.
+  /// The cells in `runs` that are kept and, if `wanted` has flags, one for each control simplex in
+  /// `runs`, that are wanted.
   std::vector<CellRun> Cut(const std::vector<CellRun>& runs, const std::vector<char>& wanted) const;
-  /// Of rows of vertices and edges those that are kept.
+  /// The kept ones among rows of vertices and edges.
   std::vector<SharpRow> Cut(const std::vector<SharpRow>& rows) const;
   /// Copies values at the vertices of the level to the columns of the part.
   SparseRows<Id> TakeColumns() { return std::move(this->Columns); }

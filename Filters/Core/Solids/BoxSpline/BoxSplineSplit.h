@@ -100,7 +100,7 @@ struct BoxSplineSplit
   static void Continue(const Level&, Level&) {}
 };
 
-/// What rings have inside tetrahedra (RingEmitter.h).
+/// The members that rings have inside tetrahedra (RingEmitter.h).
 template <typename IdType>
 class BoxSplineRings
 {
@@ -168,7 +168,7 @@ public:
   }
 
 private:
-  /// Counts what EmitInFace emits.
+  /// Counts the members that EmitInFace emits.
   struct Counter
   {
     Id* Sizes;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BoxSplineStar.h
- * What LevelStar (LimitStencils.cxx) needs to know of the box-spline scheme: its masks, and that no
- * ring has members inside solids.
+ * The box-spline scheme for LevelStar (LevelStar.h): its masks, and that no ring has members inside
+ * solids.
  */
 #ifndef SubdivisionObjects_BoxSplineStar_h
 #define SubdivisionObjects_BoxSplineStar_h

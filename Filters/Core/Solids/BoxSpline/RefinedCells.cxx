@@ -73,7 +73,7 @@ void WriteChildrenOfRun(
     });
 }
 
-/// The place in a TetLattice of each corner of each child, one after the other.
+/// The number in a TetLattice of each corner of each child, one after the other.
 template <int Parents>
 constexpr auto MakeCornerPlaces()
 {
@@ -92,7 +92,7 @@ constexpr auto MakeCornerPlaces()
   return places;
 }
 
-/// Writes the children without a loop, so that places are constants.
+/// Writes the children without a loop, so that these numbers are constants.
 template <int Parents, typename Out, std::size_t... Corner>
 void WriteByTable(const Out* ids, Out* out, std::index_sequence<Corner...>)
 {
@@ -342,7 +342,7 @@ bool HasCells(
 }
 
 SUBDIVISION_COMPILE_FUNCTION(HasCells);
-/// SUBDIVISION_COMPILE_FUNCTION for one that has the type of ids and that of the ids it writes.
+/// SUBDIVISION_COMPILE_FUNCTION for functions of two types: of ids, and of the ids they write.
 #define SUBDIVISION_COMPILE_WRITER(Function)                                                       \
   template decltype(Function<int, int>) Function<int, int>;                                        \
   template decltype(Function<int, long long>) Function<int, long long>;                            \

@@ -30,7 +30,7 @@ struct StoredPoints
   const double* Double = nullptr;
 };
 
-/// Where the cells go; the sizes are those that CountCells tells.
+/// Where the cells go; CountCells tells the sizes.
 template <typename Out>
 struct CellStorage
 {
@@ -48,7 +48,7 @@ struct CellCounts
   vtkIdType Entries = 0; ///< of the connectivity
 };
 
-/// The runs as they are after `levels` steps: counts and places.
+/// The runs as they are after `levels` steps: counts and positions.
 std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels);
 CellCounts CountCells(const std::vector<CellRun>& runs);
 
@@ -57,9 +57,9 @@ template <typename Id, typename Out>
 void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out);
 
-/// Writes the children of a level's cells; `runs` are those of the level itself. Of cells of a
-/// higher dimension than `highest` only types and offsets. `points`: those of the children, only
-/// needed for out.Signs.
+/// Writes the children of a level's cells; `runs` are runs of the level itself. Of cells of a
+/// higher dimension than `highest` only types and offsets. `points` of the children are only needed
+/// for out.Signs.
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest = 3, const StoredPoints& points = {});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Refinement.h
- * One uniform step of the box-spline scheme (Mathematics 2): that of Refiner.h with the solids of
- * BoxSplineSplit.h.
+ * One uniform step of the box-spline scheme (Mathematics 2): the step of Refiner.h with the solids
+ * of BoxSplineSplit.h.
  */
 #ifndef SubdivisionObjects_Refinement_h
 #define SubdivisionObjects_Refinement_h

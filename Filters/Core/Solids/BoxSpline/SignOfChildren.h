@@ -2,8 +2,8 @@
 /**
  * @file SignOfChildren.h
  * The sign of the volumes of the children of tetrahedra, told from their lattice points while these
- * are at hand: reading the cells of an output once more takes longer than writing them. Volumes
- * that are larger than what they may round by have their sign.
+ * are at hand: reading the cells of an output once more takes longer than writing them. The sign
+ * counts where the volume is larger than its possible rounding.
  */
 #ifndef SubdivisionObjects_SignOfChildren_h
 #define SubdivisionObjects_SignOfChildren_h
@@ -20,8 +20,8 @@
 namespace subdivision
 {
 
-/// The lattice points of a tetrahedron and those of its children, of which there are `Parents` with
-/// a lattice: 1, the tetrahedron itself, or 8 after a step. The points are numbered: lattice points
+/// The lattice points of a tetrahedron and of its children; `Parents` of these cells have a
+/// lattice: 1, the tetrahedron itself, or 8 after a step. The points are numbered: lattice points
 /// of the tetrahedron, then the midpoints of the edges of its children by place (SolidShapes.h).
 template <int Parents>
 struct TetLattice
@@ -48,8 +48,8 @@ template <int Parents>
 constexpr TetLattice<Parents> TetLatticeOf{};
 
 /// Finds the sign that the volumes of all children of a tetrahedron have (tetrahedron::Children),
-/// or of all their children; 0: several, or that is not known, because one may be rounding, or
-/// products may overflow or vanish.
+/// or of all their children. 0: they differ, or one may be rounding, or products may overflow or
+/// vanish.
 template <int Parents>
 class SignOfChildren
 {
@@ -123,8 +123,8 @@ private:
     const Vector sizes = Minus(high, low);
     return std::max({ sizes.X, sizes.Y, sizes.Z });
   }
-  /// Whether all volumes of this sign are beyond the bound, times 6. Without a loop, so that places
-  /// are constants.
+  /// Whether all volumes of this sign are beyond the bound, times 6. Without a loop, so that
+  /// numbers of points are constants.
   template <int Sign, std::size_t... Parent>
   static bool AreBeyond(const Vector (&at)[Size], double bound, std::index_sequence<Parent...>)
   {

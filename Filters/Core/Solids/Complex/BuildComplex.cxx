@@ -462,7 +462,7 @@ void ComplexBuilder<Id>::FindRepeats(
     });
 }
 
-/// Takes those of some lists that are of distinct tetrahedra.
+/// Takes the lists of distinct tetrahedra out of some lists.
 template <typename Id>
 Buffer<Id> TakeDistinct(const Buffer<Id>& lists, int length, const Buffer<Id>& tets)
 {

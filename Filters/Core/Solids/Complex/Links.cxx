@@ -129,8 +129,8 @@ unsigned char Links<Id>::VertexDimensions(Id vertex) const
 
 /// Whether the link of an edge in C_3 is connected: `faces` nodes, none of which has more than two
 /// tetrahedra, and two or none have one. Walks around the edge from one of these two if there are
-/// any. What it does not come to are cycles, of three faces at least, so that it may stop before
-/// the last two. If the walk is one too, there have to be six for another.
+/// any. Faces that the walk does not reach are in cycles of three at least, so that it may stop
+/// before the last two. If the walk is a cycle too, six faces are needed for another one.
 template <typename Id>
 bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
 {
@@ -238,8 +238,8 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
 
 /// Whether the triangles at a vertex form one fan: `edges` edges lie on them, none of which has
 /// more than two, and two or none have one. Walks from `start`, one of these two if there are any.
-/// What it does not come to are cycles, of three edges at least, so that it may stop before the
-/// last two. If the walk is one too, there have to be six for another.
+/// Edges that the walk does not reach are in cycles of three at least, so that it may stop before
+/// the last two. If the walk is a cycle too, six edges are needed for another one.
 template <typename Id>
 bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) const
 {

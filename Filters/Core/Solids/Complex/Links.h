@@ -101,7 +101,7 @@ private:
 };
 
 /// Whether a graph has one piece only: its nodes are the edges at a vertex that lie on accepted
-/// faces, one of them `start`, and its arcs are those faces. Each node must be on a cycle, so that
+/// faces, one of them `start`, and its arcs are these faces. Each node must be on a cycle, so that
 /// the search may stop before the last two.
 template <typename Id>
 template <typename Accept>

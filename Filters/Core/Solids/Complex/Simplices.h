@@ -56,7 +56,7 @@ constexpr int EquatorIndex(int edge)
 constexpr int Children[8][4] = { { 0, 4, 5, 6 }, { 4, 1, 7, 8 }, { 5, 7, 2, 9 }, { 6, 8, 9, 3 },
   { 4, 5, 6, 8 }, { 7, 5, 4, 8 }, { 5, 6, 8, 9 }, { 8, 7, 5, 9 } };
 
-/// What an edge between two lattice points is a part of.
+/// The part of a tetrahedron in which an edge between two lattice points lies.
 enum class EdgeOrigin : unsigned char
 {
   HalfEdge, ///< Index = edge, Corner = the vertex at its end
@@ -70,7 +70,7 @@ struct ChildEdge
   signed char Corner;
 };
 
-/// What a triangle between three lattice points is a part of.
+/// The part of a tetrahedron in which a triangle between three lattice points lies.
 enum class FaceOrigin : unsigned char
 {
   FaceCorner, ///< Index = face, Corner = vertex

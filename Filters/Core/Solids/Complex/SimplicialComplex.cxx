@@ -13,7 +13,7 @@ template <typename Id>
 Buffer<unsigned char> FindManifoldDimensions(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs)
 {
-  // What no cell of the output has is not looked at.
+  // Dimensions of which the output has no cells are not looked at.
   const auto has = [&runs](int dimension)
   {
     return std::any_of(runs.begin(), runs.end(),

@@ -12,7 +12,7 @@
 namespace subdivision
 {
 
-/// Strata and rings are those of the box spline: they say what lies where, but have no weights.
+/// Strata and rings are the same as of the box spline: they name simplices, but have no weights.
 template <typename Id>
 struct LinearLevel : Level<Id>
 {

@@ -16,7 +16,7 @@ namespace subdivision
 void BinnedPoints::ChooseBins(int size)
 {
   constexpr double pointsInBin = 4.;
-  constexpr double least = 1e-6; // of the longest side: what is thinner has one bin
+  constexpr double least = 1e-6; // of the longest side: a thinner side has one bin
   double widths[3];
   double longest = 0.;
   for (int c = 0; c < 3; ++c)
@@ -101,7 +101,7 @@ void BinnedPoints::Gather(const double* points, const int* ids, int size)
   }
 }
 
-/// Finds the bin of each point, and counts those of each bin.
+/// Finds the bin of each point, and counts the points of each bin.
 void BinnedPoints::FindPlaces(int size)
 {
   this->Places.resize(size);
@@ -164,8 +164,8 @@ void BinnedPoints::Sort(int size)
 namespace
 {
 
-/// Four bounds in bins, along a row: `Most` is the largest value of each in the row with places 0
-/// and 0, at its begin, but for what the place in the row adds.
+/// Four bounds in bins, along a row: `Most` is the largest value of each in the row with y = 0 and
+/// z = 0, at its begin; the position in the row adds to it.
 struct BoundsOfRows
 {
   /// How far out of its bin a point may be by rounding, in bins, and more.
@@ -173,13 +173,13 @@ struct BoundsOfRows
 
   double Most[4];
   double Steps[3][4]; ///< from bin to bin
-  // The bound holds from one place of the row on, or up to one: Most times the factor and the base.
+  // The bound holds from a position of the row on, or up to one: Most times factor plus base.
   double LowFactors[4];
   double LowBases[4];
   double HighFactors[4];
   double HighBases[4];
 
-  /// The first and the last place of the row at `y` and `z`, where bounds may hold.
+  /// The first and the last position of the row at `y` and `z`, where bounds may hold.
   std::pair<double, double> Find(int y, int z) const
   {
     double lows[4];

@@ -26,26 +26,26 @@ struct LinearBounds
   double Slopes[3][4]; ///< along each axis
 };
 
-/// The points of a group, sorted by bins: that is their number here. Those of a row of bins, along
-/// x, are consecutive.
+/// The points of a group, sorted by bins: this order gives their numbers here. The points of a row
+/// of bins, along x, are consecutive.
 class BinnedPoints
 {
 public:
   void Load(const double* points, const int* ids, int size);
   const Box& GetBox() const { return this->Whole; }
 
-  /// Points of bins that meet the box, and in which all bounds may hold: those from `first` to
-  /// before `second` of each row. The box meets GetBox().
+  /// Points of bins that meet the box, and in which all bounds may hold: in each row the points
+  /// from `first` to before `second`. The box meets GetBox().
   const std::vector<std::pair<int, int>>& FindRows(const Box& box, const LinearBounds& bounds);
 
-  /// Lists the points in the bins that a box meets, besides those that are taken out, if they are
+  /// Lists the points in the bins that a box meets, without points that were taken out, if they are
   /// at most `most`. Returns how many there are; -1: more. The box meets GetBox().
   int ListFew(const Box& box, int most, int* list) const;
 
   int GetId(int i) const { return this->Ids[this->Loaded[i]]; }
   double GetCoordinate(int c, int i) const { return this->Coordinates[c][this->Loaded[i]]; }
 
-  /// Takes a point out of what Singles tell: its coordinate becomes none.
+  /// Takes a point out of Singles: its coordinate is no number any more.
   void Remove(int i) { this->Singles[0][i] = std::numeric_limits<float>::quiet_NaN(); }
   /// Whether Singles can be told from each other. If not they mean nothing.
   bool HasSingles() const

@@ -19,7 +19,7 @@ using namespace vectors;
 double FindNearestPlace(
   const double* const* corners, int count, const double x[3], double* weights);
 
-/// The same for the nearest of some facets of the simplex: those whose opposite corner has a
+/// The same for the nearest of some facets of the simplex: facets whose opposite corner has a
 /// negative weight in `beyond`, because x lies on their other side; all facets if `beyond` is null,
 /// for a flat simplex.
 double FindNearestInFacets(
@@ -162,7 +162,7 @@ void SimplexTree::Sort(vtkIdType size)
     });
 }
 
-/// Boxes are a little wider than what they hold, for the rounding of distances.
+/// Boxes are a little wider than their cells, for the rounding of distances.
 void SimplexTree::MakeBoxes()
 {
   vtkIdType size = this->Order.size();

@@ -91,7 +91,7 @@ private:
     double Corner[3]; ///< from which heights count
     double Low;
     double High;
-    double GetDistance(const double x[3]) const; ///< no more than that of what lies between
+    double GetDistance(const double x[3]) const; ///< at most the distance of a triangle between
   };
   Slab MakeSlab(vtkIdType begin, vtkIdType end) const;
   double GetLeastDistance2(std::size_t level, vtkIdType node, const double x[3]) const;

@@ -23,12 +23,12 @@ struct TetFrame
   bool IsFlat(double least = 1e-14) const;
   /// The weights of the corners that give x, if the tetrahedron is not flat.
   std::array<double, 4> GetWeights(const double x[3]) const;
-  /// Those of the corners 1 to 3, from x less the first corner. Compilers make loops of it in which
-  /// several points are found at a time.
+  /// The weights of corners 1 to 3, from x less the first corner. Compilers make loops of it in
+  /// which several points are found at a time.
   vectors::Vector FindWeights(vectors::Vector rest) const
   {
     vectors::Vector found = { 0., 0., 0. };
-    // The second round takes away what rounding left, in thin cells.
+    // The second round takes away the rest that rounding leaves in thin cells.
     for (int round = 0; round < 2; ++round)
     {
       vectors::Vector left = rest;

@@ -29,8 +29,8 @@ enum class Hold : unsigned char
 class WeightBounds
 {
 public:
-  /// `box` holds the tetrahedron and all points that are asked for; `least` is what their least
-  /// weight must be.
+  /// `box` holds the tetrahedron and all points that are asked for. A point may be inside if its
+  /// least weight is `least` or more.
   WeightBounds(const TetFrame& tet, const Box& box, const BinnedPoints& points, double least)
   {
     double gradients[4][3] = {};
@@ -47,10 +47,10 @@ public:
     this->SetSingles(tet, gradients, points, least - margin);
   }
 
-  /// What holds for points in the tetrahedron.
+  /// Functions that are not negative at points in the tetrahedron.
   LinearBounds Linear;
 
-  /// Lists those points of rows that may be inside.
+  /// Lists the points of rows that may be inside.
   int List(
     const BinnedPoints& points, const std::vector<std::pair<int, int>>& rows, int* list) const
   {
@@ -77,9 +77,9 @@ public:
   }
 
 private:
-  /// By how much weights that are computed from gradients may be too small. Those of TetFrame
-  /// differ from these by what rounding leaves in the normals and the volume, relative to the
-  /// latter, and a step more: some 5e-15 times the square of this.
+  /// By how much weights that are computed from gradients may be too small. The weights of TetFrame
+  /// differ from these by the rounding of the normals and the volume, relative to the volume, and
+  /// by a step more: some 5e-15 times the square of `flatness`.
   static double GetMargin(const TetFrame& tet, const Box& box)
   {
     double reach = 0.;
@@ -128,7 +128,7 @@ private:
   void SetSingles(
     const TetFrame& tet, const double (&gradients)[4][3], const BinnedPoints& points, double least)
   {
-    constexpr double rounding = 1e-6; // twice that of sums of as many terms in single precision
+    constexpr double rounding = 1e-6; // twice that of such sums in single precision
     double sum = 1.;
     for (int i = 0; i < 3; ++i)
     {
@@ -145,7 +145,7 @@ private:
     }
     const bool isBound = points.HasSingles() && sum < 1e30 && least > -1e30;
     this->Threshold = isBound ? static_cast<float>(least - rounding * sum) : -1.F;
-    if (!isBound) // all points but those that are not numbers
+    if (!isBound) // all points whose coordinates are numbers
     {
       std::fill(this->Values, this->Values + 3, 0.F);
       for (auto& slopes : this->Slopes)

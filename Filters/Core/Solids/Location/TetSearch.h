@@ -3,12 +3,12 @@
  * @file TetSearch.h
  * Which tetrahedra hold given points: a search for many points at once.
  *
- * Points are sorted into groups that lie close together, and those of a group into bins. Each group
- * takes the tetrahedra near it, one after the other, and compares each with all points in bins that
- * it meets: the frame of a tetrahedron is made once for all of them, and rows of bins are
- * consecutive points, of which processors test several at a time, in single precision. Weights are
- * computed of those few that may be inside. Tetrahedra need no sorting: runs of consecutive ones
- * have boxes, because the children of a cell are consecutive.
+ * Points are sorted into groups that lie close together, and the points of a group into bins. Each
+ * group takes the tetrahedra near it, one after the other, and compares each with all points in
+ * bins that it meets. The frame of a tetrahedron is made once for all of them. Rows of bins are
+ * consecutive points; processors test several at a time, in single precision. Weights are computed
+ * of the few points that may be inside. Tetrahedra need no sorting: runs of consecutive ones have
+ * boxes, because the children of a cell are consecutive.
  */
 #ifndef SubdivisionObjects_TetSearch_h
 #define SubdivisionObjects_TetSearch_h

@@ -17,7 +17,7 @@
 namespace subdivision
 {
 
-/// The order of their corners is that of VTK.
+/// Their corners are in the order of VTK.
 enum class CellShape : unsigned char
 {
   Vertex,
@@ -49,7 +49,7 @@ std::array<double, NumberOfShapes> CountRedChildren(
 /// One step.
 struct RedStep
 {
-  ShapedCells Children;           ///< those of a cell follow one another
+  ShapedCells Children;           ///< the children of a cell follow one another
   std::vector<vtkIdType> Parents; ///< of each child
   SparseRows<long long> Rows;     ///< old points stay, new ones are means of corners
 };

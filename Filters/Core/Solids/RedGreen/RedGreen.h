@@ -21,7 +21,7 @@
  *
  * Cost: an input cell is stored (is *active*) if it is marked, or if two of its vertices are
  * flagged as ends of split edges, because only such a cell can have a split edge. To find these
- * cells, threads scan those blocks of cells whose range of vertices has newly flagged ones. After
+ * cells, threads scan the blocks of cells whose range of vertices has newly flagged ones. After
  * scans of four times all cells an incidence from vertices to cells replaces them. The red children
  * of a cell are stored when one of them is marked or gets a split edge. So work and memory are
  * proportional to the cells that change, but for a few passes over all cells. Threads do the scans
@@ -30,8 +30,8 @@
  *
  * Memory (Id int): 1 byte per input point, 4 per input cell of each page of 4096 where one is
  * stored; 84 bytes per stored cell, 24 per edge of these that is looked up, 24 to 96 for its entry
- * in the index, 4 per new vertex: 200 to 300 bytes per stored cell in all, that is some 50 per cell
- * of an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
+ * in the index, 4 per new vertex. In all 200 to 300 bytes per stored cell, or some 50 per cell of
+ * an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
  * stored cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h
@@ -67,8 +67,8 @@ public:
   /// marks and Close() throw std::invalid_argument at LastLevel.
   void AddMidpoint(Id end0, Id end1, Id midpoint);
 
-  /// Tells what happens to each input cell; else all are Own. The array must outlive this object.
-  /// Call it before all else.
+  /// Sets the scope of each input cell; else all are Own. The array must outlive this object. Call
+  /// it before all else.
   void SetScopes(const CellScope* scopes);
 
   /// @name A round
@@ -131,7 +131,7 @@ public:
   {
     return this->InputVertices + static_cast<Id>(this->MidpointEdges.size());
   }
-  /// How many cells the output would have, without those of input cells that are not Own.
+  /// How many cells the output would have, without cells from input cells that are not Own.
   vtkIdType GetNumberOfCells() const { return this->OutputCells; }
 
   /// @name Where vertices and cells come from
@@ -270,8 +270,8 @@ private:
   Rows<Id> Incidence;         ///< cells at each input vertex; empty until it is needed
 };
 
-/// The vertices that a state added, by how many halvings made them: first those between vertices of
-/// the input, then those that have such a vertex at one end, and so on.
+/// The vertices that a state added, by how many halvings made them: first the midpoints between
+/// vertices of the input, then the midpoints with one of these at an end, and so on.
 template <typename Id>
 std::vector<std::vector<Id>> ListByHalvings(const RedGreen<Id>& state)
 {

@@ -90,7 +90,7 @@ Id RedGreen<Id>::Activate(Id cell)
   return index;
 }
 
-/// Looks up the edges of an input cell that may be split: those between flagged vertices.
+/// Looks up the edges of an input cell that may be split: edges between flagged vertices.
 template <typename Id>
 void RedGreen<Id>::LookUpEdges(Id index)
 {

@@ -90,7 +90,7 @@ enum class RefinementKind : unsigned char
   GreenIII = 4   ///< the edges of one face
 };
 
-/// What a state does with an input cell, if the input is a part of a larger mesh.
+/// How a state treats an input cell, if the input is a part of a larger mesh.
 enum class CellScope : unsigned char
 {
   Ignored = 0, ///< stays as it is, whatever happens around it
@@ -114,7 +114,7 @@ struct RedGreenCell
   Id Parent = -1; ///< tree cell; -1: it is a cell of the input
   int Child = -1; ///< which child of its parent
   int Dimension = 0;
-  int Level = 0; ///< that of the input cell, plus the steps from there
+  int Level = 0; ///< the level of the input cell, plus the steps from there
   std::array<Id, 4> Vertices{ { -1, -1, -1, -1 } };
 };
 

@@ -225,7 +225,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
       const vtkIdType stop = last ? end : std::min<vtkIdType>(end, tree->Input);
       if (begin < stop)
       {
-        // Positions are counted back from those of the next tree, or from the end of the output.
+        // Positions are counted back from the next tree, or from the end of the output.
         const vtkIdType from = this->State.Places[begin];
         const vtkIdType next = last ? input.NumberOfSimplices : vtkIdType(tree->Input);
         const CellCounts place = last ? this->Counts : CellCounts{ tree->Cells, tree->Entries };
@@ -327,7 +327,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
   added.NumberOfColumns = inputs;
   added.Offsets = Buffer<Id>(size + 1);
   added.Offsets[0] = 0;
-  // Each row is made of those of its ends, which are earlier.
+  // Each row is made of the rows of its ends, which are earlier.
   GrowingBuffer<Id> columns;
   GrowingBuffer<double> weights;
   for (const vtkIdType row : InTurn(size))

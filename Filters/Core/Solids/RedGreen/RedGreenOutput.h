@@ -90,7 +90,7 @@ private:
   CellCounts Counts;
   Buffer<Tree> Trees; ///< in input order
   Buffer<Leaf> Leaves;
-  Buffer<vtkIdType> Greens; ///< those of the leaves that have green parts
+  Buffer<vtkIdType> Greens; ///< the leaves that have green parts
 };
 
 /// The operator of Placement `Linear`: input vertices stay, and new vertices are means of input

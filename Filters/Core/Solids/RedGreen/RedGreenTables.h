@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenTables.h
- * What the split edges of a cell make of it (Mathematics 13), as tables that the compiler works
- * out.
+ * The cells that a cell with split edges becomes (Mathematics 13), as tables that the compiler
+ * works out.
  *
  * A *pattern* has bit k for local edge k (Simplices.h). Lattice points: vertices first, then the
  * midpoints of the edges.

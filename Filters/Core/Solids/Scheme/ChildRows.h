@@ -6,8 +6,8 @@
  * Let a level be given from which two more steps are made. LevelRows is its own operator, ChildRows
  * the operator of the next level. This next level is never made: ChildRows makes a few rows at a
  * time from the given level, in memory that stays in the processor's cache, and all arrays are
- * summed with them at once. The rows and the order of their rings are those that Refine would
- * store. A scheme compiles ChildRows with ChildRowsMaker.h.
+ * summed with them at once. Refine would store the same rows, with the same order of rings. A
+ * scheme compiles ChildRows with ChildRowsMaker.h.
  */
 #ifndef SubdivisionObjects_ChildRows_h
 #define SubdivisionObjects_ChildRows_h
@@ -49,8 +49,8 @@ public:
     , Selection(selection)
   {
   }
-  /// Numbers of vertices and edges of the children: first come the rows of the vertices, then those
-  /// of the edges, then those of the centres of solids.
+  /// Numbers of vertices and edges of the children: first come the rows of the vertices, then of
+  /// the edges, then of the centres of solids.
   vtkIdType GetNumberOfVertices() const { return this->GetRowIds().GetNumberOfVertices(); }
   vtkIdType GetNumberOfEdges() const { return this->GetRowIds().GetNumberOfEdges(); }
   vtkIdType GetNumberOfColumns() const override { return this->LevelIds.GetNumberOfVertices(); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ChildRowsMaker.h
- * Makes the rows of ChildRows: those at vertices, at edges, in faces and in solids of the given
- * level, or of its selected parts.
+ * Makes the rows of ChildRows: at vertices, at edges, in faces and in solids of the given level, or
+ * of its selected parts.
  */
 #ifndef SubdivisionObjects_ChildRowsMaker_h
 #define SubdivisionObjects_ChildRowsMaker_h
@@ -253,7 +253,7 @@ private:
     }
   }
 
-  /// The rows of the centres of those children that have one.
+  /// The rows of the centres of children that have one.
   template <typename Child, typename Shape>
   void UseChildCentres(Child, Shape shape, vtkIdType begin, vtkIdType end, Id* corners) const
   {

@@ -12,7 +12,7 @@
 namespace subdivision
 {
 
-/// The product rows * step. Of the rows of `step` only those that columns of `rows` name are made.
+/// The product rows * step. Only rows of `step` that columns of `rows` name are made.
 template <typename Id>
 SparseRows<int> Compose(const SparseRows<int>& rows, const Stencils<Id>& step);
 

@@ -24,7 +24,7 @@ struct Level
 
 struct LevelCounts;
 
-/// What code that is compiled once needs to know of a volume scheme.
+/// A volume scheme as code that is compiled once sees it.
 struct SchemeTraits
 {
   int Number; ///< in stamps, which files hold: it never changes
@@ -34,12 +34,12 @@ struct SchemeTraits
   bool HasPieces;
   // To estimate sizes before any memory is taken:
   LevelCounts (*Refine)(const LevelCounts&);
-  /// How many ids a level with rings and carriers has beyond those of tetrahedra, faces and edges.
+  /// How many ids a level with rings and carriers has besides ids of tetrahedra, faces and edges.
   double (*CountMoreIds)(const LevelCounts&);
-  /// The ids of the vertices after some steps, to number those of several ranks (IdSegments.h).
+  /// The ids of the vertices after some steps, to number vertices of several ranks (IdSegments.h).
   IdSegments (*ListVertices)(int steps);
-  /// Sizes of the rings of regular edges and vertices where they are larger than those of
-  /// surfaces, otherwise 0.
+  /// Sizes of the rings of regular edges and vertices where they are larger than on surfaces,
+  /// otherwise 0.
   double EdgeRing = 0;
   double VertexRing = 0;
   /// Whether limits have tangent planes where the rules say so. If not, normals are for shading.

@@ -11,7 +11,7 @@
  *  - GetSolids(level, shape) and GetStorage(level, shape): where they stand (SolidList,
  *    SolidStorage);
  *  - SolidRings (RingEmitter.h);
- *  - Continue(parent, child): copies what else a level hands on.
+ *  - Continue(parent, child): copies the rest that a level hands on.
  */
 #ifndef SubdivisionObjects_Refiner_h
 #define SubdivisionObjects_Refiner_h
@@ -205,7 +205,7 @@ void Refiner<Split>::MakeFaces()
   }
 }
 
-/// Makes the strata of all faces, and finds the cells at those that lie in faces of the parent.
+/// Makes the strata of all faces, and finds the cells at faces that lie in faces of the parent.
 /// SplitSolid adds the cells at the others.
 template <typename Split>
 void Refiner<Split>::MakeFaceCells()
@@ -244,7 +244,7 @@ void Refiner<Split>::MakeFaceCells()
     });
 }
 
-/// act(shape, its number among those of this shape) for a solid as FaceTets names it.
+/// act(shape, its number among the solids of this shape) for a solid as FaceTets names it.
 template <typename Split>
 template <typename Act>
 void Refiner<Split>::WithSolid(Id cell, const Act& act) const

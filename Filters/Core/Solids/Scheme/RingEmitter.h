@@ -4,7 +4,7 @@
  * Computes the rings of the next level from a level and passes them on member by member. Refiner
  * stores them; ChildRows sums with them at once.
  *
- * Along edges and faces rings are the same in all schemes. What they have inside solids is that of
+ * Along edges and faces rings are the same in all schemes. Their members inside solids come from
  * the class Split::SolidRings, made from a level:
  *  - CountFaces(rule, size): how many of the first members of the ring of an edge lie on faces,
  * which are their carriers; the others lie in pairs in solids. CountSolids(vertex, rule, size): how
@@ -15,9 +15,9 @@
  *  - CountInFace(face, sizes), CountInFaceAtMost(face): the sizes of the rings of the three edges
  *    inside a face of solids;
  *  - EmitOpposite(solid, vertex, emit): the member that the ring of a vertex has in a solid;
- *  - EmitHalves(solid, ends, halves): those that the rings of the halves of an edge have there;
- *  - EmitBeside(edge, face, midpoint), EmitAround(edge, rule, faces, midpoint): those that the ring
- *    of an edge's midpoint has in the solids at one of its faces, and then in all its solids;
+ *  - EmitHalves(solid, ends, halves): the members of the rings of an edge's halves there;
+ *  - EmitBeside(edge, face, midpoint), EmitAround(edge, rule, faces, midpoint): the members of
+ *    the ring of an edge's midpoint in the solids at one of its faces, and then in all its solids;
  *  - EmitInFace(face, rule, rings): the rings of the three edges inside a face;
  *  - CountInner(shape), EmitInner(shape, solid, edge, emit): the ring of an inner edge;
  *  - CountCentre(shape), EmitCentre(shape, solid, emit): the ring of a centre.
@@ -157,14 +157,14 @@ public:
 
   /// Emits the rings of the two halves and of the midpoint of an edge. For each face that carries a
   /// member of the edge's ring, the ring of a half has the midpoint of the other edge of the face
-  /// at this half's end; then it has what lies in the solids that carry members. The ring of the
-  /// midpoint has the two ends; for each such face the midpoints of both other edges; and what lies
+  /// at this half's end; then it has members in the solids that carry members. The ring of the
+  /// midpoint has the two ends; for each such face the midpoints of both other edges; and members
   /// in the solids at the edge.
   template <typename Emit>
   void EmitAtEdge(Id edge, Emit (&emitHalves)[2], Emit& emitMidpoint) const;
 
   /// Emits the rings of the three edges that cut the corners off a face: the corner, the midpoint
-  /// opposite to it, and what lies in the solids at the face. rings.Open(corner, size) gives where
+  /// opposite to it, and members in the solids at the face. rings.Open(corner, size) gives where
   /// one goes, with an upper bound of its size; rings.Close(corner, emit) says that it is complete.
   template <typename Rings>
   void EmitInFace(Id face, Rings& rings) const

@@ -103,8 +103,8 @@ std::vector<SharpRow> FindSharpRows(
   const SolidSharpness& sharpness, int steps, int depth, const SimplicialComplex<Id>& complex)
 {
   SharpParts parts;
-  // Calls add(piece, what is left) for the descendants of each simplex that is still sharp, which
-  // follow each other.
+  // Calls add(piece, sharpness that is left) for the descendants of each simplex that is still
+  // sharp, which follow each other.
   const auto forPieces = [steps, depth](const std::vector<double>& values, int dimension, auto add)
   {
     const int shift = dimension * depth;

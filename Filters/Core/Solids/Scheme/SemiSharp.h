@@ -4,7 +4,7 @@
  * Rows of semi-sharp creases and surfaces: blends of the smooth and the sharp rows (Mathematics 5).
  *
  * In the sharp row of a vertex or edge all lines and triangles are singular that are still sharp.
- * Its weight is min(1, mean of what remains of the sharpness of the lines at it, which are the edge
+ * Its weight is min(1, mean of the remaining sharpness of the lines at it, which are the edge
  * itself or edges at the vertex; if no line is sharp there, of the triangles at it).
  */
 #ifndef SubdivisionObjects_SemiSharp_h
@@ -33,11 +33,11 @@ inline bool IsSharpAfter(const SolidSharpness& sharpness, int steps)
 struct SharpRow
 {
   vtkIdType Row;
-  double Sharpness; ///< mean of what remains
+  double Sharpness; ///< that remains, a mean
 };
 
 /// Lists the lines and triangles of a level that are still sharp, for the row of each vertex and
-/// edge in them. Rows of edges come after those of vertices.
+/// edge in them. Rows of edges come after rows of vertices.
 class SharpParts
 {
 public:
@@ -48,7 +48,7 @@ public:
   /// After the last part.
   void Sort();
   std::vector<SharpRow> GetRows() const;
-  /// The mean of what remains of the sharpness at a row after `steps` more steps; 0: none.
+  /// The mean of the remaining sharpness at a row after `steps` more steps; 0: none.
   double GetSharpness(vtkIdType row, double steps) const;
   /// The largest sharpness at a row.
   double GetMostSharpness(vtkIdType row) const;
@@ -69,8 +69,8 @@ private:
 };
 
 /**
- * Finds the rows that are blends: those of vertices, and then those of edges. `sharpness` is that
- * of control simplices. Since it was given `steps` steps have been made, so that value - steps
+ * Finds the rows that are blends: rows of vertices, and then rows of edges. `sharpness` is of
+ * control simplices. Since it was given `steps` steps have been made, so that value - steps
  * remains. `depth` is the number of steps since the control mesh: a control edge has become 2^depth
  * edges of `complex`, a control face 4^depth faces. A level for output has only triangle cells.
  */

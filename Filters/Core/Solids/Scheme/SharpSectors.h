@@ -15,7 +15,7 @@
 namespace subdivision
 {
 
-/// The mean of the sharpness of those ends of an edge that have some: sharpness(end).
+/// The mean of the sharpness of the ends of an edge that have some: sharpness(end).
 template <typename Id, typename Sharpness>
 double GetMeanOfEnds(const Id* ends, const Sharpness& sharpness)
 {
@@ -24,15 +24,15 @@ double GetMeanOfEnds(const Id* ends, const Sharpness& sharpness)
   return values[0] > 0. && values[1] > 0. ? sum / 2. : sum;
 }
 
-/// Adds to the rows of a step that are blends those of edges of sectors with an end on a crease
-/// which is still sharp. `smooth`, `sharp`: the rows of such edges by the smooth and by the sharp
-/// rules; `rows`, as both, ascend, before and after.
+/// Adds rows to the blends of a step: of edges of sectors with an end on a crease that is still
+/// sharp. `smooth`, `sharp`: the rows of such edges by the smooth and by the sharp rules; `rows`,
+/// as both, ascend, before and after.
 template <typename Id>
 void AddSharpSectors(const std::vector<Id>& smooth, const std::vector<Id>& sharp,
   const Buffer<Id>& edgeVertices, vtkIdType vertices, std::vector<SharpRow>& rows);
 
-/// Explicit rows with blends of a smooth and a sharp row each in the place of some of `smooth`;
-/// `rows` ascend. appendSmooth(row, factor, rows) and appendSharp append a row times a factor.
+/// Explicit rows with blends of a smooth and a sharp row each instead of some of `smooth`; `rows`
+/// ascend. appendSmooth(row, factor, rows) and appendSharp append a row times a factor.
 template <typename Id, typename AppendSmooth, typename AppendSharp>
 ExplicitRows<Id> BlendRows(const std::vector<SharpRow>& rows, const ExplicitRows<Id>& smooth,
   const AppendSmooth& appendSmooth, const AppendSharp& appendSharp)

@@ -2,13 +2,13 @@
 /**
  * @file SolidParts.h
  * The ids of the next level, seen from the parent, and one simplex or solid at a time: the ids of
- * what it becomes. With V vertices, E edges and F faces on a level, the next one has
+ * its descendants. With V vertices, E edges and F faces on a level, the next one has
  *  - vertices: v stays v; the point of edge e is V + e; then the centres of solids;
  *  - edges: 2e, 2e + 1 the halves of e; 2E + 3f + i inside face f near its vertex i; then the inner
  *    edges of solids;
  *  - faces: 4f + i near vertex i of f, 4f + 3 its middle; then the inner faces of solids.
- * What lies inside solids comes shape by shape, and for each shape solid by solid; so do solids of
- * each shape. BoxSpline and TetOct say what that makes.
+ *  Simplices inside solids come shape by shape, and for each shape solid by solid; so do solids of
+ *  each shape. BoxSpline and TetOct list them.
  */
 #ifndef SubdivisionObjects_SolidParts_h
 #define SubdivisionObjects_SolidParts_h
@@ -76,8 +76,7 @@ private:
   const Id InFaceStart;
 };
 
-/// The same with what lies inside solids. `Split` is that part of a scheme which says how solids
-/// are split (SolidScheme.h).
+/// The same with simplices inside solids. `Split` says how a scheme splits solids (SolidScheme.h).
 template <typename Split>
 class ChildIds : public SkeletonIds<typename Split::Id>
 {
@@ -221,7 +220,7 @@ struct SolidLattice
   }
 };
 
-/// The ids of what one step makes of one solid, by place.
+/// The ids of all parts that one step makes of one solid, by place.
 template <typename Shape, typename Id>
 struct SolidParts
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SolidScheme.h
- * What a volume scheme is. A scheme is a template parameter; what is missing in it does not
- * compile.
+ * The members of a volume scheme. A scheme is a template parameter; without one of them code does
+ * not compile.
  *
  * A scheme is a struct template `template <typename Id> struct MyScheme` in a folder of its own, as
  * BoxSplineScheme.h and TetOctScheme.h are. AllSchemes/VolumeSchemes.h lists all of them, and all
@@ -31,22 +31,20 @@
  * **Cells**
  *  - WriteChildren(level, runs, steps, points, out): the children of a level's cells, or their
  *    children; in a scheme without pieces, where all cells are vertices and lines, after any number
- *    of steps. `points` are those after the steps, or null, which only matters for pieces and for
- *    out.Signs;
- *  - HasCells(level, runs, cells): whether these cells are those of the level;
+ *    of steps. `points`: after the steps, or null, which only matters for pieces and for out.Signs;
+ *  - HasCells(level, runs, cells): whether these cells are the cells of the level;
  *  - FindParents(level, runs, cells): for each child cell the cell whose values it takes; empty
- *    where that is the cell it is a child of.
+ *    where this is its parent.
  *
  * **Limits** (Core/Solids/Limits)
  *  - GetSpokes(level): numbers beside the strata from which rows get their weights, or null;
- *  - Star: made from a level. What the rows around a vertex need to know of the scheme
- *    (LimitStencils.cxx): GetMasks(); CountSolids(vertex, rule, ring size), how many of the last
- *    members of its ring lie opposite in a solid, which is their carrier; CountFaces(rule, ring
- *    size), how many of the first members of an edge's ring lie on faces, the others in pairs in
- *    solids; GetOppositeEnd(solid, vertex), the opposite vertex; ForEdgesInSolid(solid, vertex,
- *    add), the edges at a vertex; GetEdgeBeyond(solid, vertex, far), the edge from a vertex to the
- *    opposite of another one; HasSpokes(vertex, rule), whether the weights of its row follow from
- *    GetSpokes;
+ *  - Star: made from a level. The scheme for the rows around a vertex (Limits/LevelStar.h):
+ *    GetMasks(); CountSolids(vertex, rule, ring size), how many of the last members of its ring lie
+ *    opposite in a solid, which is their carrier; CountFaces(rule, ring size), how many of the
+ *    first members of an edge's ring lie on faces, the others in pairs in solids;
+ *    GetOppositeEnd(solid, vertex), the opposite vertex; ForEdgesInSolid(solid, vertex, add), the
+ *    edges at a vertex; GetEdgeBeyond(solid, vertex, far), the edge from a vertex to the opposite
+ *    of another one; HasSpokes(vertex, rule), whether the weights of its row follow from GetSpokes;
  *  - GetTurn(level, solid, triangle): the direction of a face of a solid, seen from outside a
  *    positive solid: 1 if its vertices in this order run counterclockwise, -1 if clockwise. The
  *    solid is named as in FaceTets;

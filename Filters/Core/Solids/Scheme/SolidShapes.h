@@ -5,17 +5,17 @@
  *
  * The *lattice points* of a solid are its vertices, then the midpoints of its edges, then, if it
  * has one, its centre. All edges are halved and all faces, which are triangles, are split into
- * four. So a shape says only what is inside: a struct with
- *  - Shapes, the ShapeList of the scheme, and Index, its place there;
+ * four. So a shape only describes its inside: a struct with
+ *  - Shapes, the ShapeList of the scheme, and Index, its position there;
  *  - the numbers Vertices, Edges, Faces, and Centres (1 if its centre is a vertex of the next
  * level, otherwise 0);
  *  - EdgeVertices, EdgeOf and FaceVertices as in tetrahedron (Simplices.h), and FaceOf(a, b, c),
  * the face with these local vertices in any order;
  *  - GetChildren(shape), for each shape of the scheme: its children of this shape, by lattice
  * points;
- *  - GetInnerEdges() and GetInnerFaces(): those edges and faces of the next level inside the solid,
+ *  - GetInnerEdges() and GetInnerFaces(): the edges and faces of the next level inside the solid,
  *    by lattice points, that lie in none of its edges and faces.
- * What the edges and faces of children are, and which children lie at a face, follows from that.
+ * The edges and faces of children, and the children at a face, follow from these.
  */
 #ifndef SubdivisionObjects_SolidShapes_h
 #define SubdivisionObjects_SolidShapes_h
@@ -41,7 +41,7 @@ constexpr void ForShapes(ShapeList<Shape...>, const Act& act)
   (act(Shape()), ...);
 }
 
-/// What tetrahedra have alike, however they are split.
+/// The tables of tetrahedra that do not depend on how they are split.
 struct TetrahedronShape
 {
   static constexpr int Vertices = 4;

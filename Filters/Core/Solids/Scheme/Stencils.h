@@ -2,11 +2,11 @@
 /**
  * @file Stencils.h
  * The operator of a volume scheme (Mathematics 1): the matrix that takes values at the vertices of
- * a level, coordinates or any array, to those at the vertices of the next.
+ * a level, coordinates or any array, to values at the vertices of the next.
  *
  * Rows are stored as rules and rings without weights, which follow from the rule and the size of
- * the ring. Vertex rows come first, then edge rows, then rows of the centres of solids. What a
- * scheme has of its own it gives with overloads of two functions: GetSolidRows(level), and
+ * the ring. Vertex rows come first, then edge rows, then rows of the centres of solids. A scheme
+ * gives its own kinds of rows with overloads of two functions: GetSolidRows(level), and
  * TakeSolidRows(level, stencils), which moves the same out of the level.
  */
 #ifndef SubdivisionObjects_Stencils_h
@@ -21,7 +21,7 @@
 namespace subdivision
 {
 
-/// Rows with explicit weights, which replace those that rules and rings give. Rows ascend.
+/// Rows with explicit weights, which replace rows of rules and rings. Rows ascend.
 template <typename Id>
 struct ExplicitRows
 {
@@ -31,7 +31,7 @@ struct ExplicitRows
   std::vector<double> Weights;
 };
 
-/// What rows have that is not stored alike in all schemes.
+/// The part of rows that schemes store in ways of their own.
 template <typename Id>
 struct SolidRows
 {
@@ -76,13 +76,13 @@ template <typename Id>
 ExplicitRows<Id> MakeSectorRows(const Strata<Id>& strata, const Buffer<Id>& edgeVertices);
 
 /// Appends columns and weights of a row, each weight times `factor`. `own`: rows that replace some
-/// of those that are stored.
+/// of the stored ones.
 template <typename Id>
 void AppendRow(const StoredRows<Id>& stored, const ExplicitRows<Id>& own, vtkIdType row,
   double factor, ExplicitRows<Id>& rows);
 
 /// The operator that takes a level to the next, while the level stays whole and has no sectors
-/// (SectorEdges.h). ChildRows.h has that of a level which is never made.
+/// (SectorEdges.h). ChildRows.h has the operator of a level that is never made.
 template <typename Id>
 class LevelRows : public RingOperator<Id>
 {

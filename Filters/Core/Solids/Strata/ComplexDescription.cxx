@@ -21,7 +21,7 @@ signed char GetDimension(Rule rule)
   return static_cast<signed char>(rule == Rule::RegularEdge ? Rule::Solid : rule);
 }
 
-/// Describes vertex or edge i; `boundary` tells whether its link in some C_k is that of a boundary.
+/// Describes vertex or edge i; `boundary` tells whether it lies on the boundary of some C_k.
 SimplexFacts Describe(unsigned char dimensions, vtkIdType valence, bool boundary, Stratum stratum,
   const Buffer<unsigned char>& singular, vtkIdType i)
 {

@@ -45,7 +45,7 @@ struct ComplexDescription
   }
 };
 
-/// `strata` are those of the complex; its rings are not read.
+/// `strata` belong to the complex; their rings are not read.
 template <typename Id>
 ComplexDescription<Id> DescribeComplex(const SimplicialComplex<Id>& complex,
   const Strata<Id>& strata, const SingularSimplices& singular);

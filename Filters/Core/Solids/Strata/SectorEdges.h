@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SectorEdges.h
- * Edges of surfaces that end on a curve or at a corner, where their rule depends on the *sector*:
- * on the number of triangles from one edge that bounds the surface there to the next, and at a
- * corner on its angle (Mathematics 12).
+ * Edges of surfaces that end on a curve or at a corner, where their rule depends on the *sector*.
+ * It depends on the number of triangles between the two edges that bound the surface there, and at
+ * a corner on the angle (Mathematics 12).
  *
  * BuildStrata finds them on the control mesh, if StrataOptions::ModifiedBoundary is set. A step
- * makes no new ones: the half of such an edge at the curve or corner takes its place, and vertices
- * that a step makes on curves have three triangles on each side, where both rules are the same.
+ * makes no new ones: the half of such an edge at the curve or corner takes its place. Vertices that
+ * a step makes on curves have three triangles on each side, where both rules are the same.
  */
 #ifndef SubdivisionObjects_SectorEdges_h
 #define SubdivisionObjects_SectorEdges_h
@@ -31,7 +31,7 @@ struct SectorEdge
   bool IsShared = false;
   /// How much more weight this end has than by the plain rule; the other end has as much less.
   double Shift = 0.;
-  double Flatness = 0.; ///< s; 0: none, and what follows is not set
+  double Flatness = 0.; ///< s; 0: none, and the members below are not set
   /// The first and the last edge of the sector, their far ends, and the weights of these in the
   /// point towards which the new point moves; -1: not in this part of a mesh.
   Id Bounds[2] = { -1, -1 };
@@ -44,7 +44,7 @@ struct SectorEdge
   }
 };
 
-/// The records of one edge: none, or those of one or both of its ends.
+/// The records of one edge: none, or one for one or for each of its ends.
 template <typename Id>
 struct SectorEdgeRange
 {

@@ -38,16 +38,16 @@ template <typename Id>
 Buffer<vtkIdType> FindSimplicesOf(
   const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int dimension);
 
-/// Derives singular simplices from embedded cells: those that are faces of other cells. `inside`:
-/// only from those that lie in the interior of one C_k and in no other.
+/// Derives singular simplices from embedded cells, which are faces of other cells. `inside`: only
+/// from cells that lie in the interior of one C_k and in no other.
 template <typename Id>
 void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   bool inside, SimplexTuples& derived);
 
 /// Derives singular simplices from material interfaces: faces of exactly two tetrahedra, and edges
 /// of exactly two triangles, both maximal, that have different values. `values` has one for each
-/// simplex in output order. Not those faces of which `leftOut` is true, which has a value for each
-/// or is empty.
+/// simplex in output order. Leaves out faces for which `leftOut` is true, which has a value for
+/// each or is empty.
 template <typename Id>
 void DeriveInterfaces(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const int* values, const std::vector<bool>& leftOut, SimplexTuples& derived);
@@ -64,7 +64,7 @@ template <typename Id>
 std::vector<FeatureCandidate> FindFeatureCandidates(const SimplicialComplex<Id>& complex);
 
 /// Whether the angle between the two triangles' planes (0 = flat) exceeds `degrees`, by more than
-/// what may be rounding.
+/// rounding.
 bool IsFeature(const FeatureCandidate& candidate, const Coordinates& points, double degrees);
 
 /// Adds the flags of flagged cells: `flags` has one for each simplex in output order.

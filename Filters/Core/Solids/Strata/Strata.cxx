@@ -13,8 +13,8 @@ namespace subdivision
 namespace
 {
 
-/// Makes the ring of each row i of `around`. Its carriers are those for which accept(i, carrier) is
-/// true, or all if acceptAll(i) is, with member(i, carrier) as members; the vertices of reliefs[i]
+/// Makes the ring of each row i of `around`. Its carriers are all with accept(i, carrier), or
+/// simply all if acceptAll(i), with member(i, carrier) as members; the vertices of reliefs[i]
 /// follow, with the carrier -1.
 template <typename Id, typename AcceptAll, typename Accept, typename Member>
 Rings<Id> MakeRings(const Rows<Id>& around, const AcceptAll& acceptAll, const Accept& accept,
@@ -67,7 +67,7 @@ Rings<Id> MakeRings(const Rows<Id>& around, const AcceptAll& acceptAll, const Ac
 
 }
 
-/// The non-manifold type: 1 in several C_k, otherwise that of the place in the only C_k, 0 for
+/// The non-manifold type: 1 in several C_k, otherwise the type of the place in the only C_k, 0 for
 /// manifold.
 template <typename Id>
 int StrataBuilder<Id>::TypeOf(unsigned char dimensions, const Place places[4]) const

@@ -51,7 +51,7 @@ struct StrataOptions
   /// them; may be empty.
   Buffer<unsigned char> VertexChoices;
   Buffer<unsigned char> EdgeChoices;
-  Buffer<unsigned char> FaceChoices; ///< for what a step makes inside faces
+  Buffer<unsigned char> FaceChoices; ///< for edges that a step makes inside faces
 };
 
 /// The rings of all vertices or all edges of a level, as compressed rows.
@@ -61,10 +61,10 @@ struct Rings
   Buffer<Id> Offsets;
   /// Vertices.
   Buffer<Id> Members;
-  /// What joins each member: in the ring of a vertex the edge to the member; in the ring of an edge
-  /// the face that edge and member span, or -1 if there is none, which occurs at Blend edges of the
-  /// control mesh. Tet/oct levels also have octahedra here (TetOctComplex.h). Empty on a level that
-  /// is not refined further.
+  /// The carrier of each member: in the ring of a vertex the edge to the member; in the ring of an
+  /// edge the face that edge and member span, or -1 if there is none, which occurs at Blend edges
+  /// of the control mesh. Tet/oct levels also have octahedra here (TetOctComplex.h). Empty on a
+  /// level that is not refined further.
   Buffer<Id> Carriers;
 
   vtkIdType GetSize(vtkIdType i) const { return this->Offsets[i + 1] - this->Offsets[i]; }
@@ -88,7 +88,7 @@ struct Strata
 {
   Buffer<Stratum> Vertices;
   Buffer<Stratum> Edges;
-  /// What the edges that a step makes inside a face follow: Surface, Solid (some of these edges are
+  /// The rule of the edges that a step makes inside a face: Surface, Solid (some of these edges are
   /// then regular), Blend, or Curve, which means that each such edge is sharp. Empty on a level
   /// that is not refined further.
   Buffer<Stratum> Faces;
@@ -98,7 +98,7 @@ struct Strata
   bool ModifiedBoundary = false;
   std::vector<SectorEdge<Id>> Sectors; ///< the edges whose rule that changes
 
-  /// What is the same on all levels and in all parts.
+  /// Takes the choices that are the same on all levels and in all parts.
   void TakeChoices(const Strata& other)
   {
     this->Weights = other.Weights;

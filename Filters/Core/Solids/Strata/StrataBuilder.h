@@ -2,7 +2,7 @@
 /**
  * @file StrataBuilder.h
  * The decisions behind Strata.h: edges first (StrataEdges.cxx), then vertices (StrataVertices.cxx),
- * and at last what depends on sectors (StrataSectors.cxx).
+ * and at last edges of sectors (StrataSectors.cxx).
  */
 #ifndef SubdivisionObjects_StrataBuilder_h
 #define SubdivisionObjects_StrataBuilder_h

@@ -10,7 +10,7 @@ namespace subdivision
 namespace
 {
 
-/// What a vertex of so many edges follows: isolated ones and ends do not move.
+/// The stratum of a vertex of so many edges: isolated ones and ends do not move.
 Stratum GetStratum(vtkIdType edges)
 {
   return edges < 2 ? Stratum(Rule::Corner)

@@ -2,7 +2,7 @@
 /**
  * @file StrataCurves.h
  * Strata where there is nothing but vertices and edges, none of them singular: the number of edges
- * at a vertex tells what it follows, so that no links are needed.
+ * at a vertex tells its rule, so that no links are needed.
  */
 #ifndef SubdivisionObjects_StrataCurves_h
 #define SubdivisionObjects_StrataCurves_h

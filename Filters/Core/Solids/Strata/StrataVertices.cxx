@@ -210,8 +210,7 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
 }
 
 /// The part with the smallest id that is a manifold inside C_k (k = 1 or 2) at a vertex: it has
-/// exactly two lines there, or its triangles form one closed fan. Returns -1 if there is no such
-/// part.
+/// exactly two lines there, or its triangles form one closed fan. Returns -1 if there is none.
 template <typename Id>
 int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
 {

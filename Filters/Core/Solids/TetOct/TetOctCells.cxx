@@ -11,7 +11,7 @@ namespace subdivision
 namespace
 {
 
-/// The pair with the shortest diagonal of a sorted octahedron; the first pair of those that tie.
+/// The pair with the shortest diagonal of a sorted octahedron; where pairs tie, the first one.
 template <typename Id, typename T>
 int FindShortestDiagonal(const Id vertices[6], const T* points)
 {

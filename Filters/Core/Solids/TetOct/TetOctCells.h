@@ -4,12 +4,12 @@
  * Writes the cells of a tet/oct level as tetrahedra: each octahedron becomes four tetrahedra around
  * a diagonal (Mathematics 10), which are called its pieces.
  *
- * The descendants of one control tetrahedron are consecutive in the output, and so are those of
- * each cell of a level between: of a tetrahedron first the four tetrahedra at its vertices, then
- * the octahedron; of an octahedron first the six octahedra, then the eight tetrahedra. As an
- * octahedron counts as four cells, a step makes eight cells out of each cell, as in the box-spline
- * scheme, and RefineRuns serves both. The first four children of a tetrahedron are those of the box
- * spline.
+ * The descendants of one control tetrahedron are consecutive in the output, and so are the
+ * descendants of each cell of a level between: of a tetrahedron first the four tetrahedra at its
+ * vertices, then the octahedron; of an octahedron first the six octahedra, then the eight
+ * tetrahedra. As an octahedron counts as four cells, a step makes eight cells out of each cell, as
+ * in the box-spline scheme, and RefineRuns serves both. The first four children of a tetrahedron
+ * are the same as in the box spline.
  */
 #ifndef SubdivisionObjects_TetOctCells_h
 #define SubdivisionObjects_TetOctCells_h
@@ -21,8 +21,8 @@ namespace subdivision
 {
 
 /// Sorts the six vertices of an octahedron into an order that depends on its vertices and
-/// orientation only: the smaller one first in each pair, the pairs by their first vertices, and the
-/// last pair swapped if the orientation requires it.
+/// orientation only. Each pair has the smaller one first, pairs ascend by their first vertices, and
+/// the last pair is swapped if the orientation requires it.
 template <typename Id>
 void SortOctahedron(Id vertices[6])
 {
@@ -81,29 +81,29 @@ void JoinOctahedron(const Out tets[16], Id vertices[6])
   }
 }
 
-/// Writes the children of a level's cells as WriteChildren does. `points` are those of the next
-/// level: each octahedron is cut around its shortest diagonal, as TurnOctahedra does. If `points`
-/// is null it is cut around any.
+/// Writes the children of a level's cells as WriteChildren does. `points` are the points of the
+/// next level: each octahedron is cut around its shortest diagonal, as TurnOctahedra does. If
+/// `points` is null it is cut around any.
 template <typename Id, typename Out, typename T>
 void WriteTetOctChildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
   const T* points, const CellStorage<Out>& out);
 
-/// Writes the children of the children likewise; `points` are those two steps later. The level was
-/// made with Depth::ForRefinement and has no equal cells.
+/// Writes the children of the children likewise; `points` are the points two steps later. The level
+/// was made with Depth::ForRefinement and has no equal cells.
 template <typename Id, typename Out, typename T>
 void WriteTetOctGrandchildren(const TetOctLevel<Id>& level, const std::vector<CellRun>& runs,
   const T* points, const CellStorage<Out>& out);
 
 /// Writes for each output cell the number of the octahedron that it is a piece of, or -1. Octahedra
-/// are numbered in output order. `runs` are those of the output, `steps` steps after the control
+/// are numbered in output order. `runs` are runs of the output, `steps` steps after the control
 /// level.
 void NumberOctahedra(const std::vector<CellRun>& runs, int steps, vtkIdType* numbers);
 
 /**
  * Cuts each octahedron anew, around its shortest diagonal. Diagonals whose squared lengths differ
  * by no more than a relative 1e-9 (1e-5 if T is float) tie, because lattices have exact ties that
- * rounding breaks. Of those that tie the one with the smallest vertex is taken. `octahedra` is the
- * result of NumberOctahedra; the connectivity of cell i starts at offsets[i].
+ * rounding breaks. Of diagonals that tie the one with the smallest vertex is taken. `octahedra` is
+ * the result of NumberOctahedra; the connectivity of cell i starts at offsets[i].
  */
 template <typename Out, typename T>
 void TurnOctahedra(const vtkIdType* octahedra, vtkIdType cells, const Out* offsets,

@@ -12,7 +12,7 @@
  *    edge that cuts corner i off face k of o;
  *  - tetrahedra: 4t + i at vertex i of t; 4T + 8o + k at face k of o;
  *  - octahedra: t in the middle of t; T + 6o + i at vertex i of o;
- * and what it has in vertices, edges and faces of before as in all schemes (SolidParts.h).
+ *  and, as in all schemes, its simplices in vertices, edges and faces of before (SolidParts.h).
  *
  * Inside C_3 all edges that are no parts of control edges are regular: two tetrahedra and two
  * octahedra lie at them. All vertices that lie in no control edge are regular too: eight tetrahedra

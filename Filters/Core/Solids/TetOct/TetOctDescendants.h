@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctDescendants.h
- * The solids of a tet/oct level in output order, in which those that come from one control
- * tetrahedron follow each other (TetOctCells.h).
+ * The solids of a tet/oct level in output order, in which the solids of one control tetrahedron
+ * follow each other (TetOctCells.h).
  */
 #ifndef SubdivisionObjects_TetOctDescendants_h
 #define SubdivisionObjects_TetOctDescendants_h
@@ -22,7 +22,7 @@ struct Descendant
   vtkIdType Base;
   vtkIdType Stride;
   bool IsOct;
-  vtkIdType FirstChild; ///< place of its first child among those of t, in output cells
+  vtkIdType FirstChild; ///< position of its first child among the cells of t
   vtkIdType FirstOct;   ///< the same among octahedra
 };
 

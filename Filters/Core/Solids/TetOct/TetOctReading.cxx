@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that were read, compared with those of a tet/oct level.
+// Compares cells that were read with the cells of a tet/oct level.
 #include "Core/Solids/TetOct/TetOctCells.h"
 
 #include "Core/Memory/Ids.h"

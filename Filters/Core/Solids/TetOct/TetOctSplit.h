@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctSplit.h
- * How the tet/oct scheme splits solids (TetOctComplex.h), and what rings have inside them.
+ * How the tet/oct scheme splits solids (TetOctComplex.h), and the members of rings inside them.
  */
 #ifndef SubdivisionObjects_TetOctSplit_h
 #define SubdivisionObjects_TetOctSplit_h
@@ -92,7 +92,7 @@ struct TetOctSplit
   }
 };
 
-/// What rings have inside tetrahedra and octahedra (RingEmitter.h).
+/// The members that rings have inside tetrahedra and octahedra (RingEmitter.h).
 template <typename IdType>
 class TetOctRings
 {
@@ -210,7 +210,7 @@ private:
   template <typename Emit>
   void EmitFar(const FaceSide& side, Emit (&corners)[3]) const;
 
-  // What a step makes, by name.
+  // Ids of the simplices that a step makes.
   Id Centre(Id oct) const { return this->Ids.template Centre<OctShape>(oct); }
   Id Spoke(Id oct, int edge) const { return this->Ids.template InnerEdge<OctShape>(oct, edge); }
   Id Cut(Id tet, int vertex) const { return this->Ids.template InnerFace<TetShape>(tet, vertex); }
@@ -269,7 +269,7 @@ void TetOctRings<Id>::ForCellsAround(Id edge, Row<Id> faces, const Act& act) con
   }
 }
 
-/// Emits those members of the ring of an edge's midpoint that lie inside the solids at the edge.
+/// Emits the members of the ring of an edge's midpoint that lie inside the solids at the edge.
 template <typename Id>
 template <typename Emit>
 void TetOctRings<Id>::EmitAround(Id edge, Rule rule, Row<Id> faces, Emit& midpoint) const

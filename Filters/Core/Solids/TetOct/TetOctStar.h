@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TetOctStar.h
- * What LevelStar (LimitStencils.cxx) needs to know of the tet/oct scheme: its masks, and the
- * members of rings that lie opposite in octahedra.
+ * The tet/oct scheme for LevelStar (LevelStar.h): its masks, and the members of rings that lie
+ * opposite in octahedra.
  */
 #ifndef SubdivisionObjects_TetOctStar_h
 #define SubdivisionObjects_TetOctStar_h

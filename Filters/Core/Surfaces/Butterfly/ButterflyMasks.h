@@ -17,9 +17,9 @@ namespace subdivision
 namespace butterfly
 {
 
-/// The weight of an extraordinary vertex inside the surface, and that of its neighbour j, counted
-/// from the other end of the edge. Zorin's survey has no weights for k = 2; those here are exact
-/// for constants and for functions that are linear along the edge.
+/// The weight of an extraordinary vertex inside the surface, and the weight of its neighbour j,
+/// counted from the other end of the edge. Zorin's survey has no weights for k = 2; the weights
+/// here are exact for constants and for functions that are linear along the edge.
 constexpr double Centre = 3. / 4.;
 inline double Ring(int k, int j)
 {
@@ -59,9 +59,9 @@ inline double CurveRing(int k, int i, int j)
   return (std::sin(i * t) * std::sin(j * t) + std::sin(2. * i * t) * std::sin(2. * j * t) / 2.) / k;
 }
 
-/// The value at neighbour i of the function that is linear in a sector of this angle, 1 at the
-/// other end of one sharp edge (the last one if `last`), and 0 at that of the other and at the
-/// corner.
+/// The value at neighbour i of a function that is linear in a sector of this angle. It is 1 at the
+/// other end of one sharp edge (the last one if `last`), and 0 at the corner and at the other end
+/// of the other one.
 inline double LinearInSector(int k, double angle, int i, bool last)
 {
   return std::sin((last ? i : k - i) * angle / k) / std::sin(angle);

@@ -134,9 +134,9 @@ void ButterflyTangents<Id>::AppendOnCurve(
   }
   if (k == 1)
   {
-    // With one face the tangent plane is that in which the curve bends. The second difference on
-    // the next level minus a quarter of that on this level is a vector of this plane, which the
-    // four-point rule multiplies by 1/4 without adding anything.
+    // With one face the curve bends in the tangent plane. The second difference on the next level
+    // minus a quarter of the one on this level is a vector of this plane, which the four-point rule
+    // multiplies by 1/4 without adding anything.
     for (const Id edge : this->Edges)
     {
       this->AddPoint(edge, turn, rows);

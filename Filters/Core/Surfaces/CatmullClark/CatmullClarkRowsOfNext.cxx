@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-/// The vertices of the next level, all from what this level has.
+/// The vertices of the next level, all from this level.
 template <typename Id>
 class RowsOfNext
 {
@@ -28,7 +28,7 @@ public:
   {
   }
 
-  /// The point of the edge of a half-edge, and that of its face.
+  /// The point of the edge of a half-edge, and the point of its face.
   Id GetPoint(Id halfEdge) const { return this->EdgePoints + this->Mesh.Edges[halfEdge]; }
   Id GetMiddle(Id corner) const { return this->FacePoints + corner / 4; }
 

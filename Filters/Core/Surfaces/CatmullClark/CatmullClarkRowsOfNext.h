@@ -11,9 +11,9 @@
 namespace subdivision
 {
 
-/// With V vertices, E edges and F quads on this level the rows are those of its vertices, of the
-/// points of its edges and of its faces, of the halves of its edges, of the four edges inside each
-/// quad, and of its four children.
+/// With V vertices, E edges and F quads on this level the rows belong to its vertices, to the
+/// points of its edges and of its faces, to the halves of its edges, to the four edges inside each
+/// quad, and to its four children.
 template <typename Id>
 void AppendCatmullClarkRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);

@@ -224,7 +224,7 @@ void CatmullClarkScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level,
   }
 }
 
-/// `steps`: those around the vertex.
+/// `steps`: of the walk around the vertex.
 template <typename Id>
 void CatmullClarkScheme<Id>::AppendSmoothVertex(const PolygonMesh<Id>& mesh, Id vertex,
   const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const

@@ -19,8 +19,8 @@ namespace
 /// its two points.
 constexpr double NearEnd = 3. / 4.;
 
-/// The face of a cycle has one corner in each face of the fan; that of a chain also the points of
-/// its two open sides.
+/// The face of a cycle has one corner in each face of the fan; the face of a chain has also the
+/// points of its two open sides.
 vtkIdType GetVertexFaceSize(vtkIdType k, bool cycle)
 {
   return cycle ? k : k + 2;
@@ -278,7 +278,7 @@ private:
         const Id point = this->GetOpenPoint(corner, this->Mesh.Vertices[corner]) + end;
         set(start + 2 + end, point);
         this->SetVertexCorner(point, start + 2 + end);
-        this->SetFanSize(point, -2); // this face and that of the vertex
+        this->SetFanSize(point, -2); // this face and the vertex face
       }
       this->Open(start + 2);
       return;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DualLimits.h
- * What limits of dual schemes share (Mathematics 12). The place of a vertex on the limit surface is
- * the limit at the face that the next step makes around it, or on a boundary that at the side which
- * the next step makes there.
+ * The common parts of the limits of dual schemes (Mathematics 12). The place of a vertex on the
+ * limit surface is the limit at the face that the next step makes around it, or on a boundary the
+ * limit at the side which the next step makes there.
  */
 #ifndef SubdivisionObjects_DualLimits_h
 #define SubdivisionObjects_DualLimits_h
@@ -22,8 +22,8 @@ template <typename Id>
 struct DualFan
 {
   std::vector<FanStep<Id>> Steps;
-  std::vector<Id> Ends; ///< other ends of the edges: those that the walk crosses, and in a chain
-                        ///< those that it begins and ends at
+  std::vector<Id> Ends; ///< other ends of the edges that the walk crosses, and in a chain of its
+                        ///< first and last edge
   bool IsCycle = false;
 
   vtkIdType GetSize() const { return static_cast<vtkIdType>(this->Steps.size()); }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DualPlaces.h
- * What the dual schemes share (Mathematics 12): running counts from which the ids of children
- * follow, and the steps of lines and of vertices without faces.
+ * The common parts of the dual schemes (Mathematics 12): running counts from which the ids of
+ * children follow, and the steps of lines and of vertices without faces.
  *
  * A dual step makes out of each fan a face, its *vertex face*. A *side* is two twins, or a corner
  * without twin (an *open* side); so an edge of three or more faces is several sides, and the
@@ -13,7 +13,7 @@
  *
  * All numbers follow from the order of corners, vertices and lines, not of edges. So a level is the
  * same whether it was refined or built from its cells. A refined level has no PolygonMesh::Edges,
- * its only edges are those of lines, and its vertices without faces are no joints.
+ * its only edges are lines, and its vertices without faces are no joints.
  */
 #ifndef SubdivisionObjects_DualPlaces_h
 #define SubdivisionObjects_DualPlaces_h
@@ -101,7 +101,7 @@ void AppendCounted(const IdSegments& parents, const std::vector<vtkIdType>& size
     parents, sizes, [&](vtkIdType i) { return before.empty() ? 0 : ofEach * before[i]; }, children);
 }
 
-/// Writes the carriers of vertex faces: what the faces of their fans share.
+/// Writes the carriers of vertex faces: common carriers of the faces of their fans.
 template <typename Id>
 void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
   const VertexFaceSize& size, Carrier<Id>* fans);
@@ -111,8 +111,8 @@ template <typename Id>
 Id FindOrientingFace(
   const SurfaceLevel<Id>& level, vtkIdType vertexFace, const VertexFaceSize& size);
 
-/// Appends the entries of the limit row of a vertex without faces: on a curve those of the cubic
-/// B-spline, otherwise it stays.
+/// Appends the entries of the limit row of a vertex without faces: on a curve the entries of the
+/// cubic B-spline, otherwise the vertex stays.
 template <typename Id>
 void AppendLoneLimit(const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows);
 
@@ -162,7 +162,7 @@ bool FindFanForward(const PolygonMesh<Id>& mesh, Id corner, std::vector<FanStep<
 }
 
 /// Calls act(vertex, visitFans) for vertices [begin, end), in which visitFans(visit) calls
-/// visit(corner, steps, cycle) for each fan of the vertex, with what FindFanForward finds. Walks
+/// visit(corner, steps, cycle) for each fan of the vertex, as FindFanForward finds them. Walks
 /// around several vertices take turns.
 template <typename Id, typename Act>
 void ForFansForward(const PolygonMesh<Id>& mesh, vtkIdType begin, vtkIdType end, const Act& act)

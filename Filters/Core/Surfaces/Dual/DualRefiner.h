@@ -20,7 +20,7 @@ class DualRefiner
 {
 protected:
   /// The next level has `vertices` vertices besides the lone ones, and `quads` faces of four
-  /// corners between those inside old faces and the vertex faces.
+  /// corners between the faces inside old ones and the vertex faces.
   DualRefiner(
     const SurfaceLevel<Id>& level, vtkIdType vertices, vtkIdType quads, VertexFaceSize size)
     : Level(level)

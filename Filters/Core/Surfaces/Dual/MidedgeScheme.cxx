@@ -216,7 +216,7 @@ private:
     return chain;
   }
 
-  /// How many faces the vertex on the side of a corner has: its faces, and those of the ends.
+  /// How many faces the vertex on a corner's side has: the faces of the side, one for each end.
   int FindFanSize(Id corner) const
   {
     const bool isOpen = this->Mesh.Twins[corner] < 0;

@@ -86,7 +86,7 @@ private:
     }
   }
 
-  /// Makes the row of a vertex, or adds it to those that are irregular.
+  /// Makes the row of a vertex, or adds it to the irregular ones.
   void Want(const Wanted& wanted, std::vector<Wanted>& irregular)
   {
     if (!this->Find(this->Level, wanted, this->Rows[wanted.Owner]))

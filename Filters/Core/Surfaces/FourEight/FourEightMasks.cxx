@@ -44,7 +44,7 @@ FourEightWave::FourEightWave(double angle)
 }
 
 /// Two steps take the weights on the curve to themselves: the odd one leaves the curve alone, the
-/// even one has the rules of a cubic B-spline. Each also adds what the points inside read of it.
+/// even one has the rules of a cubic B-spline. Each adds weights of points inside.
 FourEightCurveMask::FourEightCurveMask(int k)
   : Inside(Pi / k)
 {

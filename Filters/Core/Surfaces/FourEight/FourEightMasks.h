@@ -10,8 +10,8 @@
 namespace subdivision
 {
 
-/// What the weights of a limit position add up to: of the vertex, of its neighbours, of the
-/// opposite corners of its faces, of the vertices straight ahead, and of the knight's moves.
+/// The sums of the weights of a limit position: of the vertex, of its neighbours, of the opposite
+/// corners of its faces, of the vertices straight ahead, and of the knight's moves.
 struct FourEightTotals
 {
   static constexpr double Own = 35. / 120.;
@@ -22,8 +22,8 @@ struct FourEightTotals
 };
 
 /// The weights of a tangent where neighbouring edges are `angle` apart. Each is to be multiplied by
-/// the cosine or the sine of a direction: that of the edge or, for opposite corners, of the middle
-/// of the face. A knight's move has two, of the edge and of the face between which it lies.
+/// the cosine or the sine of a direction, of the edge or, for opposite corners, of the middle of
+/// the face. A knight's move has two, of the edge and of the face between which it lies.
 struct FourEightWave
 {
   explicit FourEightWave(double angle);
@@ -37,7 +37,7 @@ struct FourEightWave
 };
 
 /// The weights of the tangent across a curve in a sector of k faces, k > 1, on a level after an
-/// even number of steps. Inside the sector they are those of the sine, which is zero on the curve.
+/// even number of steps. Inside the sector they follow the sine, which is zero on the curve.
 struct FourEightCurveMask
 {
   explicit FourEightCurveMask(int k);

@@ -428,7 +428,7 @@ SurfaceTags<Id> RefineFourEightTags(
         : v < children.GetFirstMiddle()                 ? VertexTag::Smooth
                                                         : VertexTag::Curve;
     });
-  out.Sectors = tags.Sectors; // their corners are those of the control level
+  out.Sectors = tags.Sectors; // their corners are corners of the control level
   return out;
 }
 

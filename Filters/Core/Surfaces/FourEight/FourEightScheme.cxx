@@ -106,10 +106,10 @@ void FourEightScheme<Id>::GetParents(
   }
 }
 
-/// A child between two faces that lie in one control face each gets these two: as First that of its
-/// last corner, as Second that of its second corner, which are both new. In the next step each edge
-/// that is not fixed ends at one of these two corners, and its child lies in the control face of
-/// that corner.
+/// A child between two faces that lie in one control face each gets these two: First is the control
+/// face of its last corner, Second of its second corner, which are both new. In the next step each
+/// edge that is not fixed ends at one of these two corners, and its child lies in the control face
+/// of that corner.
 template <typename Id>
 void FourEightScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level,
   const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const

@@ -13,8 +13,8 @@
  *    even steps then the middle of each fixed edge;
  *  - faces: one for each edge that is not fixed, in the order of the first corners of these edges;
  *    in odd steps also one for each corner on a fixed edge, in the same order of corners;
- *  - edges: the fixed ones, in even steps both halves of each; then those from each centre to the
- *    corners of its face, or from the middle in its place to the corner opposite to it.
+ *  - edges: the fixed ones, in even steps both halves of each; then the edges from each centre to
+ *    the corners of its face, or from the middle in its place to the corner opposite to it.
  */
 #ifndef SubdivisionObjects_FourEightScheme_h
 #define SubdivisionObjects_FourEightScheme_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FourEightStar.h
- * What the limit of a vertex reads in the 4-8 scheme: its faces, and the faces beyond their sides.
+ * The faces that limits of the 4-8 scheme read: at a vertex, and beyond the sides of these.
  */
 #ifndef SubdivisionObjects_FourEightStar_h
 #define SubdivisionObjects_FourEightStar_h
@@ -14,9 +14,9 @@
 namespace subdivision
 {
 
-/// The star of a vertex is *regular* if steps make the same star again: its faces and those beyond
-/// are quads, and all other vertices of its faces are smooth and have four faces. The two ends of a
-/// sector are on the curve, with two faces in the sector.
+/// The star of a vertex is *regular* if steps make the same star again: its faces and the faces
+/// beyond are quads, and all other vertices of its faces are smooth and have four faces. The two
+/// ends of a sector are on the curve, with two faces in the sector.
 template <typename Id>
 class FourEightStar
 {

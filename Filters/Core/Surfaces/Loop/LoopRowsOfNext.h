@@ -12,8 +12,8 @@
 namespace subdivision
 {
 
-/// With V vertices, E edges and F triangles on this level the rows are those of its vertices, of
-/// its edges' points, of the halves of its edges, and of the three edges inside each triangle.
+/// With V vertices, E edges and F triangles on this level the rows belong to its vertices, to its
+/// edges' points, to the halves of its edges, and to the three edges inside each triangle.
 template <typename Id>
 void AppendLoopRowsOfNext(const SurfaceLevel<Id>& level, LoopWeights weights,
   const IrregularRows<Id>& others, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);

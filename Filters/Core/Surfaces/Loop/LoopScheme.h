@@ -12,7 +12,7 @@
 namespace subdivision
 {
 
-/// `modifiedBoundary`: the rules of Mathematics 12 near curves; else those of Mathematics 5.
+/// `modifiedBoundary`: near curves the rules of Mathematics 12, not of Mathematics 5.
 template <typename Id>
 std::unique_ptr<SurfaceScheme<Id>> MakeLoopScheme(bool modifiedBoundary, LoopWeights weights);
 

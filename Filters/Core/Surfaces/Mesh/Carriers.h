@@ -50,8 +50,8 @@ Buffer<Carrier<Id>> MakeCarriers(vtkIdType faces)
 }
 
 /// The carrier of a cell at the common edge or vertex of other cells, whose carriers are added: the
-/// carrier of highest dimension. If several have this dimension it is what they share: an edge for
-/// two faces, otherwise a vertex.
+/// carrier of highest dimension. If several have this dimension it is their common edge or vertex:
+/// an edge of two faces, otherwise a vertex.
 template <typename Id>
 class CommonCarrier
 {

@@ -31,8 +31,8 @@ public:
     }
   }
 
-  /// Walks around up to Most vertices from `first` on: around those that wanted(vertex) takes, each
-  /// of which must have one fan. Walks go forward from its corner, also in a chain.
+  /// Walks around up to Most vertices from `first` on: around vertices that wanted(vertex) takes,
+  /// each of which must have one fan. Walks go forward from its corner, also in a chain.
   template <typename Wanted>
   void Walk(const PolygonMesh<Id>& mesh, Id first, Id end, const Wanted& wanted)
   {

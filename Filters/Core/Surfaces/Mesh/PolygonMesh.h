@@ -155,7 +155,7 @@ template <typename Id>
 struct FanStep
 {
   Id Corner;
-  bool Forward; ///< enters by the edge to the next corner, leaves by that from the previous one
+  bool Forward; ///< enters by the edge to the next corner, leaves by the edge from the previous one
 
   Id GetHalfEdgeIn(const PolygonMesh<Id>& mesh) const
   {

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PartSurroundings.h
- * What lies around a part of a face on some level, as sums of the vertices of the level where this
- * began.
+ * The vertices around a part of a face on some level, as sums of vertices of the first level.
  */
 #ifndef SubdivisionObjects_PartSurroundings_h
 #define SubdivisionObjects_PartSurroundings_h
@@ -17,8 +16,8 @@ namespace subdivision
 {
 
 /// The surroundings of a part, with rows over the vertices around the part with which it began.
-/// They are stored without a row that all share, that of one corner. What is left becomes smaller
-/// with the part, so that derivatives have the precision of numbers of this size.
+/// They are stored as differences from the row of one corner. Differences become smaller with the
+/// part, so that derivatives have the precision of numbers of this size.
 template <typename Id>
 class PartSurroundings
 {
@@ -67,7 +66,7 @@ public:
     }
   }
 
-  /// Adds what a row over the vertices of the patch is over the columns, without what is shared.
+  /// Adds a row over the vertices of the patch as a row over the columns, without Shared.
   void AddRow(const RowBlock<Id>& row, double factor, double* sum) const
   {
     const double* weights = row.GetWeights();

@@ -18,8 +18,8 @@ namespace subdivision
 /// face the corners are at (0, 0), (1, 0), then (0, 1), or (1, 1) and (0, 1).
 using PlaceAt = std::array<double, 2>;
 
-/// Of the control points of a regular patch. Sets those of PlaceParts that are wanted, and there is
-/// no derivative by a third parameter.
+/// Sets the wanted PlaceParts for the control points of a regular patch. There is no derivative by
+/// a third parameter.
 void WeightControlPoints(PolynomialDomain domain, const PlaceAt& at,
   const PatchDirections& directions, PlaceDerivatives derivatives, PatchParts& parts);
 

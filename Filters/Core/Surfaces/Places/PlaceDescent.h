@@ -206,13 +206,13 @@ private:
       (this->Dimension == 1 ? regular.FindLine(level, part) : regular.FindFace(level, part));
   }
 
-  /// addVertex(vertex, weight, sum): adds what a vertex that the patch has is over the columns,
-  /// without what is shared.
+  /// addVertex(vertex, weight, sum): adds the row over the columns of a vertex that the patch has,
+  /// without the shared row.
   template <typename AddVertex>
   void UsePolynomial(const PartSurroundings<Id>& around, const RegularPatch<Id>& regular,
     const AddVertex& addVertex, Places& places) const
   {
-    // What all points share is taken off, as PartSurroundings does it: the row of the first one.
+    // The row of the first point is taken off all of them, as PartSurroundings does it.
     const std::size_t size = around.Size;
     std::vector<double> rows(regular.Points.size() * size, 0.);
     for (std::size_t j = 0; j < regular.Points.size(); ++j)
@@ -278,8 +278,8 @@ private:
     places = std::move(rest);
   }
 
-  /// Replaces first derivatives near an extraordinary vertex by what is most like them in the plane
-  /// of its tangents: the plane through the corners of a part comes near that plane only slowly.
+  /// Replaces first derivatives near an extraordinary vertex by the nearest vectors in the plane of
+  /// its tangents: the plane through the corners of a part comes near that plane only slowly.
   void TurnToTangents(
     const PartSurroundings<Id>& around, const std::vector<Id>& corners, PlaceRow<Id>& row) const
   {
@@ -411,7 +411,7 @@ private:
         if (place.Corner >= 0)
         {
           const Id corner = mesh.GetFirst(part) + static_cast<Id>(place.Corner);
-          place.Corner = -1; // x and y are those of the next level
+          place.Corner = -1; // x and y belong to the next level now
           return corner;
         }
         return static_cast<Id>(mesh.GetFirst(part) + GoToPartOfQuad(place));

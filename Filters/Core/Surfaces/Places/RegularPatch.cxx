@@ -26,7 +26,7 @@ ControlPoint<Id> Combine(std::initializer_list<std::pair<const ControlPoint<Id>*
   return sum;
 }
 
-/// Tells whether rules at the corners of a face are those of a uniform spline.
+/// Tells whether the corners of a face have the rules of a uniform spline.
 template <typename Id>
 class RegularRules
 {
@@ -92,7 +92,7 @@ private:
       this->IsRegularFan(ends.First, ends.Size, false);
   }
 
-  /// Whether so many faces follow one another, and rules in them are those of a uniform spline.
+  /// Whether so many faces follow one another, in which the rules of a uniform spline hold.
   bool IsRegularFan(FanStep<Id> step, int size, bool isClosed)
   {
     const Id begin = step.Corner;
@@ -134,7 +134,7 @@ private:
         });
   }
 
-  /// Whether the far end of an edge gives its point weights that those of a uniform spline are not.
+  /// Whether the far end of an edge gives its point other weights than a uniform spline has.
   bool IsBentAtEnd(Id halfEdge, Id vertex) const
   {
     const Id other = this->Mesh.GetOtherEnd(this->Mesh.Edges[halfEdge], vertex);
@@ -310,8 +310,8 @@ public:
   /// The same two, where each control point is a vertex.
   void ListQuad(std::array<Id, BicubicPoints>& points) const
   {
-    // Of each corner: itself; what lies beyond its two edges, the next and the one before; and what
-    // lies opposite to it.
+    // Of each corner: itself; the points beyond its two edges, the next and the one before; and the
+    // point opposite to it.
     constexpr int own[4] = { 5, 6, 10, 9 };
     constexpr int beyondNext[4] = { 1, 7, 14, 8 };
     constexpr int beyondBefore[4] = { 4, 2, 11, 13 };

@@ -61,7 +61,7 @@ std::vector<Id> CollectNearSharpEdges(const PolygonMesh<Id>& mesh, const SharpCr
   return near;
 }
 
-/// What rows of the places of a vertex, edge or face are made of.
+/// The data for the rows of places of a vertex, edge or face.
 template <typename Id>
 struct PartRows
 {
@@ -83,7 +83,7 @@ struct PartRows
   std::unique_ptr<Others> Other; ///< null: the part is an inner one
 };
 
-/// Finds what the rows of some places of a part are made of.
+/// Finds the data for the rows of some places of a part.
 template <typename Id>
 class PartReader
 {

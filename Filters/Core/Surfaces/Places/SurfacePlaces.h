@@ -7,8 +7,8 @@
  * Where all is regular around a face the limit over it is a polynomial (RegularPatch.h). Inside of
  * a regular surface a place costs no more than the weights of its control points. Any other
  * face is split by a step of its surroundings alone (SharpPatch.h), and the part with the place is
- * looked at, until it is regular. What the places of a face share is made once. At corners of parts
- * limits are those of vertices.
+ * looked at, until it is regular. The common data of the places of a face is made once. At corners
+ * of parts limits are limits of vertices.
  */
 #ifndef SubdivisionObjects_SurfacePlaces_h
 #define SubdivisionObjects_SurfacePlaces_h
@@ -36,14 +36,14 @@ struct SurfacePlace
 };
 
 /// A part is split so many times at most, each of which makes it less than 0.7 times as large: then
-/// its corners are all that is asked for.
+/// only its corners are wanted.
 constexpr int MostSurfaceSplits = 100;
-/// At a corner of parts that are not regular, derivatives are those of the patch between the limits
+/// At a corner of parts that are not regular, derivatives are taken of the patch between the limits
 /// of the corners after so many splits, in the tangent plane of an extraordinary vertex.
 constexpr int SplitsAtCorners = 26;
 
-/// `level` has been prepared. `creases`: those that are sharp on it. Rows of places are the same,
-/// whatever other places there are, and whatever else is wanted.
+/// `level` has been prepared. `creases`: that are sharp on it. The row of a place depends neither
+/// on other places nor on the wanted derivatives.
 template <typename Id>
 PlaceRows<Id> FindSurfacePlaces(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const std::vector<SurfacePlace<Id>>& places,

@@ -11,8 +11,8 @@
 namespace subdivision
 {
 
-/// Appends the row of a vertex that is not smooth. On a curve it is that of a cubic B-spline along
-/// its two sharp edges, with the weight `own` for the vertex itself; otherwise the vertex stays.
+/// Appends the row of a vertex that is not smooth. On a curve it follows a cubic B-spline along its
+/// two sharp edges, with the weight `own` for the vertex itself; otherwise the vertex stays.
 template <typename Id>
 void AppendCurveVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
   double own, std::vector<Id>& edges, RowBlock<Id>& rows)

@@ -15,7 +15,7 @@ namespace subdivision
 
 /// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
 /// along the curve and across it; at a corner along the first sharp edge of the sector, and
-/// perpendicular to that in the plane of both. `ring` gets the other ends of the sector's edges.
+/// perpendicular to it in the plane of both. `ring` gets the other ends of the sector's edges.
 /// `across(ends, turn)` appends the tangent across a curve, times `turn`.
 template <typename Id, typename Across>
 void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,

@@ -24,8 +24,8 @@ Id GetNeighbour(const PolygonMesh<Id>& mesh, const FanStep<Id>& step)
 
 /// Appends the rows of vertices [begin, end). wanted(v): takes a walk around v, which must have one
 /// fan that is a cycle. regular(v, steps, columns) writes the columns of a vertex that has these
-/// weights, or returns false; other(v, steps) then appends its entries. `steps`: those of
-/// VisitCycle; empty if the vertex was not wanted.
+/// weights, or returns false; other(v, steps) then appends its entries. `steps`: of VisitCycle;
+/// empty if the vertex was not wanted.
 template <std::size_t N, typename Id, typename Wanted, typename Regular, typename Other>
 void AppendCycleRows(const PolygonMesh<Id>& mesh, const std::array<double, N>& weights,
   vtkIdType begin, vtkIdType end, const Wanted& wanted, const Regular& regular, const Other& other,

@@ -19,7 +19,7 @@ struct TriangleSplit
   }
   static constexpr int Arity = 3;
   /// The half-edges across the triangle near each of its corners, as corners of its children, and
-  /// their twins, which are those of the middle child.
+  /// their twins, the half-edges of the middle child.
   static constexpr Id Outer[3] = { 1, 5, 6 };
   static constexpr Id Middle[3] = { 11, 9, 10 };
 

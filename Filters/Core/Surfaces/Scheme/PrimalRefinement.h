@@ -5,7 +5,7 @@
  * corners into n quads. All ids of children are arithmetic.
  *
  * With V vertices, E edges, F faces and C corners on a level, the next one has
- *  - vertices: v stays v; the point of edge e is V + e; that of face f (quads only) V + E + f;
+ *  - vertices: v stays v; the point of edge e is V + e, of face f (quads only) V + E + f;
  *  - edges: 2e and 2e + 1 are the halves of e, in its direction; inside, 2E + c for each corner c:
  *    across the triangle near c, or from the point of c's edge to the face point;
  *  - faces: 4f + i at corner i of triangle f, 4f + 3 its middle; or c at corner c.
@@ -124,7 +124,7 @@ bool FindQuadsOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id quads[4], Id 
     own[0] = own[1] = 2;
     return true;
   }
-  // The two children at the edge on this side of it, then those on the other side.
+  // The two children at the edge on this side of it, then the two on the other side.
   const Id second = mesh.Twins[first + 2] - 1;
   const Id third = mesh.Twins[second];
   if (corner % 4 != 3 || third < 0 || third % 4 != 3)

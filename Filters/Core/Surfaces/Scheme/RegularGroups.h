@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RegularGroups.h
- * Rows of equal weights, some of which are made together, from what one edge or face has around it.
+ * Rows of equal weights, some of which are made together, from vertices around an edge or face.
  */
 #ifndef SubdivisionObjects_RegularGroups_h
 #define SubdivisionObjects_RegularGroups_h

@@ -18,7 +18,7 @@ namespace
 
 /// Local matrices are full ones.
 constexpr std::size_t MostItems = 200;
-/// Where steps around a vertex do not repeat one matrix, stars are those of the level that has so
+/// Where steps around a vertex do not repeat one matrix, stars are taken from the level after so
 /// many carrier periods.
 constexpr int MostPeriods = 10;
 
@@ -40,7 +40,7 @@ public:
     this->Owners = vertices;
     this->Vertices = std::move(vertices);
     this->Crop(level, creases, points, turned);
-    // Only after two steps the rules around a vertex are those of all further ones.
+    // Only after two steps all further ones have the same rules around a vertex.
     const int most = MostPeriods * this->Scheme.GetCarrierPeriod();
     for (int step = 0; !this->Vertices.empty(); ++step)
     {
@@ -65,7 +65,7 @@ public:
   }
 
 private:
-  /// What lies around a vertex: itself, the other ends of its edges, and in quads the corners
+  /// The items of a star: the vertex itself, the other ends of its edges, and in quads the corners
   /// opposite to it.
   struct Around
   {
@@ -192,8 +192,8 @@ private:
     return around;
   }
 
-  /// Finds the normals of the vertices, but unless `all` only of those around which all further
-  /// steps are one matrix.
+  /// Finds the normals of the vertices, but unless `all` only where all further steps are one
+  /// matrix.
   void Finish(bool all)
   {
     std::vector<Id> rest[2];

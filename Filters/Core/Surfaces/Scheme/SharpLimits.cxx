@@ -128,7 +128,7 @@ private:
     this->Keep(LimitKind::Tangent2, std::ldexp(1., step));
   }
 
-  /// Takes the limit rows of those vertices that have no sharp edge near them any more.
+  /// Takes the limit rows of vertices that have no sharp edge near them any more.
   void FinishSmooth(int step)
   {
     const std::vector<Id> near =
@@ -168,7 +168,7 @@ private:
   std::vector<std::size_t> Owners; ///< the row of Limits that each vertex belongs to
   const int Steps;                 ///< after which no crease is sharp
   std::unique_ptr<SharpPatch<Id>> Patch;
-  SparseRows<Id> Rows;             ///< the operator from the level's vertices to those of the patch
+  SparseRows<Id> Rows;             ///< the operator from vertices of the level to the patch
   std::vector<RowEntries>* Limits; ///< of each kind
 };
 

@@ -4,7 +4,7 @@
  * The part of a level around some vertices, with the creases there that are sharp for some steps
  * more, and the step from it.
  *
- * Rows of the given vertices, and of the edges and faces at them, are those of the whole level. If
+ * The given vertices, and the edges and faces at them, have the same rows as in the whole level. If
  * each patch is around vertices whose neighbours have such rows on the level that the patch before
  * made, some vertices can be followed through any number of steps while patches do not grow.
  */
@@ -50,7 +50,7 @@ public:
   /// The vertices of the whole level that are vertices of the patch, ascending.
   const std::vector<Id>& GetVertices() const { return this->Patch.Vertices; }
   const std::vector<Id>& GetFaces() const { return this->Patch.Faces; }
-  /// The numbers in the patch of parts of the whole level; -1 for what it does not have.
+  /// The numbers in the patch of parts of the whole level; -1: the patch does not have the part.
   Id FindVertex(Id vertex) const { return Patch.Find(this->Patch.Vertices, vertex); }
   Id FindEdge(Id edge) const { return Patch.Find(this->Patch.Edges, edge); }
   Id FindFace(Id face) const { return Patch.Find(this->Patch.Faces, face); }

@@ -109,7 +109,7 @@ void SharpRows<Id>::AddVertices(
   }
 }
 
-/// The mean of the parts of some vertices that have one; 0: none has.
+/// The mean of the sharp fractions of some vertices that have one; 0: none has.
 template <typename Id>
 double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
 {
@@ -142,8 +142,8 @@ std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vert
 }
 
 /// Adds the rows of the edges whose rules depend on sharp edges: these themselves, all edges at
-/// their ends, and the other edges of the faces there. A sharp edge has its own part; another edge
-/// has the part of its ends or, if these have none, that of the other corners of its faces.
+/// their ends, and the other edges of the faces there. A sharp edge has its own fraction; another
+/// edge has the fraction of its ends or, if these have none, of the other corners of its faces.
 template <typename Id>
 void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {

@@ -27,7 +27,7 @@ struct SharpEdge
 };
 
 /// The two sets of tags of a step: `Whole` has as creases the edges that are sharp for the whole
-/// step, `All` also those that are sharp in part.
+/// step, `All` also the edges that are sharp in part.
 template <typename Id>
 struct SharpTagPair
 {
@@ -39,7 +39,7 @@ template <typename Id>
 class SharpRows
 {
 public:
-  /// `edges`: those that are still sharp, which ascend.
+  /// `edges`: that are still sharp, ascending.
   SharpRows(const SurfaceLevel<Id>& level, SharpTagPair<Id>&& tags,
     const std::vector<SharpEdge<Id>>& edges);
 

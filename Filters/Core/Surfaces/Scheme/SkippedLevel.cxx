@@ -124,8 +124,8 @@ IrregularRows<Id>::IrregularRows(
     });
 }
 
-/// The first corners of edges are those that they have in the level, so that rows have the same
-/// order: in the patch it was the smaller one.
+/// Gives edges the first corners that they have in the level, so that rows have the same order: in
+/// the patch it was the smaller one.
 template <typename Id>
 void IrregularRows<Id>::KeepFirstCorners(const PolygonMesh<Id>& whole)
 {

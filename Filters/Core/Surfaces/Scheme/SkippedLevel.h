@@ -3,11 +3,11 @@
  * @file SkippedLevel.h
  * The last step of a surface, from a level that is not made.
  *
- * After a step that halves edges, what most vertices and edges have around them follows from the
- * level before that step by arithmetic: a scheme makes their rows so (StepOfNext). Others are
- * those at curves, corners and joints, and at edges that both faces have in the same direction. The
- * part around these is refined as a level of its own, by the step of all levels, and its rows are
- * taken. So all rows have the same entries in the same order as if the level had been made.
+ * After a step that halves edges, the neighbours of most vertices and edges follow from the level
+ * before this step by arithmetic: a scheme makes their rows so (StepOfNext). The others are at
+ * curves, corners and joints, and at edges that both faces have in the same direction. The part
+ * around these is refined as a level of its own, by the step of all levels, and its rows are taken.
+ * So all rows have the same entries in the same order as if the level had been made.
  */
 #ifndef SubdivisionObjects_SkippedLevel_h
 #define SubdivisionObjects_SkippedLevel_h
@@ -47,7 +47,7 @@ bool AreAll(vtkIdType size, const IsTrue& isTrue)
 }
 
 /// The vertices of a level at which rows of the step from the next level may be irregular,
-/// ascending: those that are not smooth, and the ends of edges that are not, or that both faces
+/// ascending: vertices that are not smooth, and the ends of edges that are not, or that both faces
 /// have in the same direction.
 template <typename Id>
 std::vector<Id> FindIrregularVertices(const SurfaceLevel<Id>& level);
@@ -57,7 +57,7 @@ template <typename Id>
 class IrregularRows
 {
 public:
-  /// `vertices`: those of FindIrregularVertices. All faces of the level have as many corners.
+  /// `vertices`: of FindIrregularVertices. All faces of the level have as many corners.
   IrregularRows(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
     const std::vector<Id>& vertices);
 
@@ -73,8 +73,8 @@ private:
   {
     return { mesh.NumberOfVertices, mesh.GetNumberOfEdges(), mesh.NumberOfFaces };
   }
-  /// The number, in one level, of what comes from a vertex, edge or face as its number in another.
-  /// `renumber(kind, i)`: the same for that vertex, edge or face.
+  /// The number in one level of a thing that comes from a vertex, edge or face; `id` is its number
+  /// in another level. `renumber(kind, i)`: the same for the vertex, edge or face.
   template <typename Renumber>
   static vtkIdType Translate(const IdSegments& segments, vtkIdType id, const Sizes& from,
     const Sizes& to, const Renumber& renumber);

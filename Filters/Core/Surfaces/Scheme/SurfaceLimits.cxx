@@ -99,7 +99,7 @@ bool LimitFinder<Id>::FindSectorStar(Id vertex)
   return IsSharp(this->Tags.Edges[this->Around.Edges.front()]) && IsSharp(this->Tags.Edges[last]);
 }
 
-/// Whether the rules around the star are those of all further levels.
+/// Whether the rules around the star are the same on all further levels.
 template <typename Id>
 bool LimitFinder<Id>::IsUniform() const
 {
@@ -119,7 +119,7 @@ bool LimitFinder<Id>::IsUniform() const
     return true;
   }
   // The end of an edge on a curve changes the rule of the edge; the flatness of a corner changes
-  // those of its faces too.
+  // the rules of its faces too.
   const bool isNearCurve = std::any_of(this->Around.Ends.begin(), this->Around.Ends.end(),
     [this](Id v)
     {
@@ -132,8 +132,8 @@ bool LimitFinder<Id>::IsUniform() const
   return !isNearCurve && !isNearCorner;
 }
 
-/// Adds the mask: over the vertices of this level if rules stay the same, else over those of the
-/// next level, times the rows of the step.
+/// Adds the mask: over the vertices of this level if rules stay the same, else over the next level,
+/// times the rows of the step.
 template <typename Id>
 void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
 {
@@ -345,9 +345,9 @@ std::vector<double> LimitFinder<Id>::MakeMatrix(double own, double ring) const
   return matrix;
 }
 
-/// Turns the mask, a first guess, into a left eigenvector by power iteration: for a position that
-/// of the eigenvalue 1, whose entries sum to 1, for a tangent one of the next two, whose entries
-/// sum to 0.
+/// Turns the mask, a first guess, into a left eigenvector by power iteration. A position has the
+/// eigenvalue 1 and entries with the sum 1, a tangent one of the next two and entries with the sum
+/// 0.
 template <typename Id>
 void LimitFinder<Id>::Solve(LimitKind kind, const std::vector<double>& matrix)
 {

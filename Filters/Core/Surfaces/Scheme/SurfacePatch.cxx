@@ -72,7 +72,7 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
     {
       inside.push_back(whole.GetOtherEnd(edge, vertex));
     }
-    // The flatness of a corner moves the points of its faces, also those in which it is no
+    // The flatness of a corner moves the points of its faces, also of faces in which it is no
     // neighbour of the vertex.
     forFaces(vertex,
       [&](Id face)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceRings.h
- * What lies around a vertex of a surface: edges, sharp edges, the sector of a face.
+ * The surroundings of a vertex of a surface: edges, sharp edges, the sector of a face.
  */
 #ifndef SubdivisionObjects_SurfaceRings_h
 #define SubdivisionObjects_SurfaceRings_h
@@ -162,8 +162,8 @@ bool IsOnCurve(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vert
   return edges.size() == 2;
 }
 
-/// A corner in the sector whose tangents are those of a vertex: the first fan's or, where a curve
-/// goes through a joint, the first one between the two edges of the curve. -1: there is none.
+/// A corner in the sector whose tangents a vertex has: the first fan's or, where a curve goes
+/// through a joint, the first one between the two edges of the curve. -1: there is none.
 template <typename Id>
 Id FindTangentCorner(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex)
 {

@@ -91,11 +91,11 @@ struct SurfaceLevel
   /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
   /// before had. Then come the edge points. Otherwise -1.
   vtkIdType VerticesBefore = -1;
-  /// In sqrt(3): the first vertex that a step made; those after it were all made by steps. -1: it
-  /// is not known.
+  /// In sqrt(3): the first vertex that a step made; all vertices after it were made by steps too.
+  /// -1: it is not known.
   vtkIdType FirstMade = -1;
-  /// What Prepare counts: running counts, from which ids of children follow where arithmetic alone
-  /// is not enough; in Butterfly the valences of smooth vertices.
+  /// Prepare sets them: running counts, from which ids of children follow where arithmetic alone is
+  /// not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
   /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
@@ -104,9 +104,9 @@ struct SurfaceLevel
   static constexpr signed char UnknownFan = 127;
 };
 
-/// The order in which a level numbers its parts: which of those of the control level they come
-/// from. Two parts of a mesh have the same kinds of segments in the same order, because it depends
-/// on options and the number of steps only, whether a segment is varied.
+/// The order in which a level numbers its parts: from which parts of the control level they come.
+/// Two parts of a mesh have the same kinds of segments in the same order, because it depends on
+/// options and the number of steps only, whether a segment is varied.
 struct SurfaceSegments
 {
   enum Kind
@@ -138,8 +138,8 @@ enum class LimitKind
   Tangent2
 };
 
-/// What has as many new vertices around it as neighbours, each computed from all of them: so k rows
-/// of k values.
+/// Things with as many new vertices around them as neighbours, each computed from all neighbours:
+/// so k rows of k values.
 enum class DenseRows
 {
   None,
@@ -152,7 +152,7 @@ enum class DenseRows
 /// sees that it is enough.
 struct FaceMemory
 {
-  double Ids;    ///< in the output, those of 8 bytes
+  double Ids;    ///< in the output, of 8 bytes each
   double Points; ///< in the output: how many there are for each face of a closed surface
   // At the peak, beside the output, with ids of 4 bytes:
   double Smooth; ///< of closed surfaces without sharp edges
@@ -164,8 +164,8 @@ struct FaceMemory
 /// Where ids are written, of either type.
 using IdsOut = std::variant<int*, long long*>;
 
-/// The step from the next level where that level is not made (SkippedLevel.h). The functions do for
-/// the next level, from this one, what methods of SurfaceScheme with the same names do for a level.
+/// The step from the next level where that level is not made (SkippedLevel.h). The functions are
+/// methods of SurfaceScheme with the same names, for the next level, told from this one.
 template <typename Id>
 struct StepOfNext
 {
@@ -201,14 +201,14 @@ public:
   virtual bool HasCornersOfOneFace() const { return false; }
   /// Whether it has rules for joints that are blended (Mathematics 6); else they are sharp.
   virtual bool BlendsJoints() const { return false; }
-  /// The eigenvalue l3, the next one after those of the tangent plane, at a corner whose sector has
-  /// k faces and an angle (Mathematics 12, Flatness).
+  /// The eigenvalue l3, the next one after the two of the tangent plane, at a corner whose sector
+  /// has k faces and an angle (Mathematics 12, Flatness).
   virtual double GetThirdEigenvalue(int /*k*/, double /*angle*/) const { return 0.; }
 
   /// Replaces tags for which the scheme has no rules. Is called once, for the control level.
   virtual void RestrictTags(SurfaceLevel<Id>& /*level*/) const {}
-  /// Counts what rows or the ids of children need. Is called for each level before all other
-  /// methods.
+  /// Makes the counts that rows or the ids of children need. Is called for each level before all
+  /// other methods.
   virtual void Prepare(SurfaceLevel<Id>& /*level*/) const {}
   /// Whether the two halves of edge e are edges 2e and 2e + 1, so that they can inherit sharpness.
   virtual bool HalvesEdges() const { return true; }
@@ -236,21 +236,21 @@ public:
   /// CarryFaces read; with ForSteps all that further steps read, where smooth edges need not be
   /// stored.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
-  /// Appends the segments of the next level, from those of this one. Needs no more of the level
-  /// than what Prepare makes, and the first corner of each face.
+  /// Appends the segments of the next level, from the segments of this one. Needs no more of the
+  /// level than the counts of Prepare, and the first corner of each face.
   virtual void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const = 0;
   /// Whether Refine knows ForCounts, which is ForOutput without Vertices. WriteFaces then writes
   /// the vertices of the next level's faces, one face after the other.
   virtual bool WritesFaces() const { return false; }
   virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, IdsOut /*ids*/) const {}
-  /// Tags of the next level from those of this one (there may be several sets for one level).
+  /// Tags of the next level from tags of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
   /// The number of steps after which each face lies in one face of the level that many steps
   /// before; 0: there is none.
   virtual int GetCarrierPeriod() const { return 1; }
-  /// Computes the carriers of the faces of the next level from those of this level's faces.
+  /// Computes the carriers of the next level's faces from the carriers of this level's faces.
   /// `areWhole` tells that the step ends a carrier period, after which each face lies in one face.
   virtual void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
     bool areWhole, Buffer<Carrier<Id>>& children) const = 0;

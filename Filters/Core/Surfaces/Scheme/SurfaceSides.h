@@ -34,9 +34,9 @@ auto LinkFaces(const PolygonMesh<Id>& mesh, const IsSure& isSure)
 }
 
 /**
- * 1 for each face whose orientation is opposite to that of the first face of its part, else 0. A
- * part is all that can be reached over edges of two faces; in a part that is not orientable no face
- * counts as turned. The result is empty if no two neighbouring faces are oriented differently.
+ * 1 for each face that is oriented against the first face of its part, else 0. A part is connected
+ * over edges of two faces; in a part that is not orientable no face counts as turned. The result is
+ * empty if no two neighbouring faces are oriented differently.
  */
 template <typename Id>
 Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)

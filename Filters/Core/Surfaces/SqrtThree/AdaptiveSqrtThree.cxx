@@ -154,7 +154,7 @@ Id AdaptiveSqrtThree<Id>::FindMissing(Id corner) const
 }
 
 // ------------------------------------------------------------------------------------------------
-// What has to be split before
+// Faces that have to be split before
 
 template <typename Id>
 void AdaptiveSqrtThree<Id>::PushMissing(Id face, std::vector<Id>& stack) const
@@ -334,7 +334,7 @@ void AdaptiveSqrtThree<Id>::CutSides(Id segment)
   }
 }
 
-/// Children across fixed edges, and between the face and those of its neighbours that are split.
+/// Children across fixed edges, and between the face and its neighbours that are split.
 template <typename Id>
 void AdaptiveSqrtThree<Id>::MakeChildren(Id face)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AdaptiveSqrtThree.h
- * Adaptive sqrt(3) refinement (Mathematics 11; Kobbelt, section 4): splits the faces that are asked
- * for, and those that must be split before. The result is a part of the uniform hierarchy.
+ * Adaptive sqrt(3) refinement (Mathematics 11; Kobbelt, section 4): splits the wanted faces, and
+ * the faces that must be split before. The result is a part of the uniform hierarchy.
  *
  * A face of level k is a face of the uniform mesh after k steps; its *generation*, which the paper
  * calls index, is 2k. If a face is split and the face across one of its edges is not, the third of
@@ -110,7 +110,7 @@ public:
   }
   /// The record of a vertex that was added.
   const Vertex& GetAdded(Id vertex) const { return this->Added[vertex - this->ControlVertices]; }
-  /// The number of triangles, including those of odd generation, and of pieces of line cells.
+  /// The number of triangles, also of odd generation, and of pieces of line cells.
   vtkIdType GetNumberOfCells() const { return this->Cells; }
 
   /// Splits a face, and before it all faces that must be split first; Cut cuts a segment without
@@ -119,10 +119,10 @@ public:
   bool Split(Id face, vtkIdType mostCells = std::numeric_limits<vtkIdType>::max());
   bool Cut(Id segment, vtkIdType mostCells = std::numeric_limits<vtkIdType>::max());
 
-  /// All faces but those of the control mesh, in the order in which they were made.
+  /// All faces but the control faces, in the order in which they were made.
   const std::vector<Id>& GetNewFaces() const { return this->NewFaces; }
 
-  /// The faces that were split, in the order of splits. Those that cut one segment come together.
+  /// The faces that were split, in the order of splits. Faces that cut one segment come together.
   vtkIdType GetNumberOfSplits() const { return static_cast<vtkIdType>(this->Parents.size()); }
   Id GetSplit(vtkIdType i) const { return this->Parents[i]; }
 

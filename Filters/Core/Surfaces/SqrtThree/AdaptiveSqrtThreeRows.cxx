@@ -367,7 +367,7 @@ void AdaptiveSqrtThreeRows<Id>::AppendLimitOnEdge(
   }
   const int level = this->Mesh.GetLevel(corner / 3) + 1;
   const double ring = LimitOfRing / 6.;
-  const double own = (1. - LimitOfRing + ring) / 3.; // in the face and in that across PQ
+  const double own = (1. - LimitOfRing + ring) / 3.; // in the face and in the one across PQ
   for (const Id face : { corner / 3, twin / 3 })
   {
     this->AddCorners(face, own, rows);
@@ -416,8 +416,7 @@ void AdaptiveSqrtThreeRows<Id>::AppendTangent(Id vertex, LimitKind kind, RowBloc
 }
 
 /// Adds the tangent of the centre of a face: the sum over its ring with the weights cos or sin of
-/// the angle. The ring is that of its first level or, if the face has fixed edges, of the next
-/// level.
+/// the angle. The ring is on its first level or, if the face has fixed edges, on the next level.
 template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const
 {

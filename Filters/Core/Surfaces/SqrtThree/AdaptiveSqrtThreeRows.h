@@ -8,7 +8,7 @@
  * the limit (eq. 8). So both values of a vertex are weighted sums of values of vertices of earlier
  * levels: of the face whose centre the vertex is, and of the neighbours of this face. No level of
  * the uniform mesh is made. A point on a curve needs only the two ends of the segment that it cuts,
- * because their limits contain what lies beyond.
+ * because their limits contain the points beyond.
  *
  * For the centre of a face with fixed edges the formula does not hold on its first level. The first
  * value that is stored for it is the one with which the formula holds on all later levels.
@@ -31,19 +31,19 @@ public:
   AdaptiveSqrtThreeRows(const AdaptiveSqrtThree<Id>& mesh, const SurfaceLevel<Id>& control,
     const SurfaceScheme<Id>& scheme);
 
-  /// Appends both rows of a vertex, that of the first value and that of the limit. For control
-  /// vertices the columns are control vertices; for others column 2 v is the first value of vertex
-  /// v, and 2 v + 1 its limit.
+  /// Appends both rows of a vertex, of the first value and of the limit. For control vertices the
+  /// columns are control vertices; for others column 2 v is the first value of vertex v, and 2 v +
+  /// 1 its limit.
   void AppendVertex(Id vertex, RowBlock<Id>& rows) const;
 
   /// AppendCentre appends the row of the centre that a face has, or would have if it were split, on
-  /// its first level; AppendCentreLimit that of its limit. The face must not be one that cuts its
-  /// edge.
+  /// its first level; AppendCentreLimit the row of its limit. The face must not be one that cuts
+  /// its edge.
   void AppendCentre(Id face, RowBlock<Id>& rows) const;
   void AppendCentreLimit(Id face, RowBlock<Id>& rows) const;
   /// Appends the row of a limit at one third of an edge, from its beginning or, if `isFromEnd`,
-  /// from its end: that of the centre of a face of the next level, whether this exists or not. The
-  /// twin must exist, and neither face may be one that cuts its edge.
+  /// from its end: the limit of the centre of a face of the next level, whether this exists or not.
+  /// The twin must exist, and neither face may be one that cuts its edge.
   void AppendLimitOnEdge(Id corner, bool isFromEnd, RowBlock<Id>& rows) const;
   /// Appends the row of the limit of one of the points that cut a segment, whether they exist or
   /// not.
@@ -80,7 +80,7 @@ private:
   const AdaptiveSqrtThree<Id>& Mesh;
   const SurfaceLevel<Id>& Control;
   const SurfaceScheme<Id>& Scheme;
-  /// Which row of Powers has those of g of each control vertex; -1 on curves and at corners.
+  /// Which row of Powers has the powers of g for each control vertex; -1 on curves and at corners.
   std::vector<int> PowerRows;
   /// g^level for each level and each g that there is: so many powers are needed that computing them
   /// would take a fifth of the time.

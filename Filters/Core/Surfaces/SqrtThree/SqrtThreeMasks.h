@@ -38,7 +38,7 @@ inline double GetSqrtThreeRingWeight(int n)
   return n < static_cast<int>(usual.size()) ? usual[n] : ComputeSqrtThreeRingWeight(n);
 }
 
-/// The mask of a smooth vertex with six neighbours, and that of the centre of a face.
+/// The mask of a smooth vertex with six neighbours, and the mask of the centre of a face.
 inline const std::array<double, 7> SqrtThreeVertex = []()
 {
   std::array<double, 7> weights;
@@ -75,7 +75,7 @@ struct SqrtThreeTransversalMask
     this->End = ((value - 19. / 27.) * end + 4. / 27. * own) / determinant;
     this->Own = ((value - 11. / 27.) * own + 32. / 27. * end) / determinant;
   }
-  /// Changes the weights to those for the level one step later. There the sector has k + 1
+  /// Changes the weights to weights for the level one step later. There the sector has k + 1
   /// triangles, and its inner neighbours are the centres of the k triangles.
   void MakeOdd()
   {

@@ -126,8 +126,8 @@ private:
     child[2] = isSecond ? other : own;
   }
 
-  /// Sets the half-edges of the next level that are not inside a face: those on flipped edges,
-  /// between two apexes, and those on fixed edges or their middle thirds.
+  /// Sets the half-edges of the next level that are not inside a face: on flipped edges, between
+  /// two apexes, and on fixed edges or their middle thirds.
   void SetAcross(Id face, PolygonMesh<Id>& out) const
   {
     for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
@@ -481,7 +481,7 @@ SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&
         : v < centres                                   ? VertexTag::Smooth
                                                         : VertexTag::Curve;
     });
-  out.Sectors = tags.Sectors; // their corners are those of the control level
+  out.Sectors = tags.Sectors; // their corners are corners of the control level
   return out;
 }
 

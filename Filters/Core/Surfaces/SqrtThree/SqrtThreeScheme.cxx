@@ -96,7 +96,7 @@ std::vector<FanStep<Id>> GetCycle(const PolygonMesh<Id>& mesh, Id vertex)
 }
 
 /// Writes the neighbours of a vertex in the order of VisitCycle, if every other one of its six
-/// faces is `stride` corners after the one before, beginning with that of `corner`. `at`: the
+/// faces is `stride` corners after the one before, beginning with the face of `corner`. `at`: the
 /// vertex's corner in each of them.
 template <typename Id>
 bool FindRingOfThree(
@@ -282,8 +282,8 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
 }
 
 /// Appends the row of a smooth vertex p. In even steps it has a ghost neighbour a + b - p beyond
-/// each fixed edge ab opposite to it, which keeps a flat grid exact (Mathematics 11). `steps`:
-/// those of a walk around it.
+/// each fixed edge ab opposite to it, which keeps a flat grid exact (Mathematics 11). `steps`: of a
+/// walk around it.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmooth(const SurfaceLevel<Id>& level, Id vertex,
   const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const
@@ -312,7 +312,7 @@ void SqrtThreeScheme<Id>::AppendSmooth(const SurfaceLevel<Id>& level, Id vertex,
   }
 }
 
-/// Appends the row of the point at one third of a fixed edge: that of a cubic B-spline cut into
+/// Appends the row of the point at one third of a fixed edge: the row of a cubic B-spline cut into
 /// thirds (Kobbelt, eq. 9) or, next to a vertex that stays, 2/3 and 1/3.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
@@ -373,8 +373,8 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
 }
 
 /// Appends the limit (1 - b) p + b mean(ring) (Kobbelt, eq. 7). Before an even step, a vertex p
-/// opposite to a fixed edge has the ring for which this holds only after the step: there the two
-/// points on the fixed edge take the place of the centre of the face.
+/// opposite to a fixed edge has no such ring, but after the step it has: there the two points on
+/// the fixed edge replace the centre of the face.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothPosition(
   const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
@@ -428,7 +428,7 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
 
 /// Appends a tangent: the sum over the ring with the weights cos or sin of the angle. A step turns
 /// the ring by half a triangle, which does not change the plane of both tangents. For a vertex
-/// opposite to a fixed edge the ring is that after the next step, as for the position.
+/// opposite to a fixed edge the ring after the next step is taken, as for the position.
 template <typename Id>
 void SqrtThreeScheme<Id>::AppendSmoothTangent(
   const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const

@@ -20,17 +20,17 @@ namespace subdivision
 {
 
 /// The carrier of the child across an edge if both faces at the edge lie in one control face each:
-/// First is the control face of its last corner, Second that of the corner before, which are both
-/// new. `isSecond` tells that the child is that of the second face, (b, P, Q), in which P and Q are
-/// exchanged.
+/// First is the control face of its last corner, Second the control face of the corner before,
+/// which are both new. `isSecond`: the child is the child of the second face, (b, P, Q), in which P
+/// and Q are exchanged.
 template <typename Id>
 Carrier<Id> JoinSqrtThree(const Carrier<Id>& own, const Carrier<Id>& other, bool isSecond)
 {
   return isSecond ? Carrier<Id>{ other.First, own.First } : Carrier<Id>{ own.First, other.First };
 }
 /// The carrier of a child one step later, across the edge that begins with corner 0 to 2 of a face
-/// with the carrier `own`: the control face of the one new corner of that face at the edge. If the
-/// edge joins both new corners, it is that at which the child lies.
+/// with the carrier `own`: the control face of the one new corner of the face at the edge. If the
+/// edge joins both new corners, the child lies at one of them, which counts.
 template <typename Id>
 Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
 {
@@ -39,11 +39,11 @@ Carrier<Id> PartSqrtThree(const Carrier<Id>& own, int corner, bool isSecond)
   return { face, face };
 }
 
-/// How many corners after one another the three faces follow that a step made around a vertex, from
-/// the one with the vertex's corner on: at the centre of face f the step makes the children 3 f +
-/// i. In each of these the half-edge from the centre begins child 9 f + 3 i + 2 of the next step,
-/// whose first half-edge begins child 3 (9 f + 3 i + 2) of the step after it, and so on. 0: no step
-/// made the vertex.
+/// A step makes three faces around a vertex. Returns by how many corners each follows the one
+/// before, from the one with the vertex's corner on; 0: no step made the vertex. At the centre of
+/// face f the step makes the children 3 f + i. In each of these the half-edge from the centre
+/// begins child 9 f + 3 i + 2 of the next step, whose first half-edge begins child 3 (9 f + 3 i +
+/// 2) of the step after it, and so on.
 template <typename Id>
 Id GetStrideOfMade(Id corner)
 {

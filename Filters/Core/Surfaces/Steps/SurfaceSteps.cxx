@@ -109,7 +109,7 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
   }
 }
 
-/// Finds the lines and faces of a level that go on; if `crops`, leaves what these depend on.
+/// Finds the lines and faces of a level that go on; if `crops`, leaves them and their neighbours.
 template <typename Id>
 void SurfaceSteps<Id>::Leave(int number, CellSplits& splits, bool crops)
 {
@@ -171,7 +171,7 @@ void SurfaceSteps<Id>::Leave(int number, CellSplits& splits, bool crops)
   splits.Made = std::move(goesOn);
 }
 
-/// Decides whether the level after that of a step is skipped, if it is the last one but one.
+/// Decides whether a step skips the level after it, if this is the last one but one.
 template <typename Id>
 void SurfaceSteps<Id>::ChooseSkipped(int step, int steps)
 {

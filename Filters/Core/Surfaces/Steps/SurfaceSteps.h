@@ -38,16 +38,16 @@ template <typename Id>
 class SurfaceSteps
 {
 public:
-  /// Makes the levels. `control` is level 0 with its tags. The last level gets only what its cells
-  /// need, or, if `lastIsWhole`, everything, so that limits can be computed. `stop(part)` receives
+  /// Makes the levels. `control` is level 0 with its tags. The last level gets only the arrays of
+  /// its cells, or, if `lastIsWhole`, all, so that limits can be computed. `stop(part)` receives
   /// the progress and returns true to stop; then there are fewer levels than asked for, as where a
   /// level exceeds `claimed`. Where `splits` say which lines and faces go on, levels from
-  /// `firstLeft` on have only what these depend on; lines are those that go on.
+  /// `firstLeft` on have only these, and faces on which they depend.
   SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
     int steps, bool lastIsWhole, const std::function<bool(double)>& stop,
     const ClaimedLevel& claimed = ClaimedLevel(), CellSplits* splits = nullptr, int firstLeft = 1);
 
-  /// Replaces angles and flatness of the sectors by those of `control` on all levels. Returns
+  /// Replaces angles and flatness of the sectors by the values of `control` on all levels. Returns
   /// false, and changes nothing, if other tags differ.
   bool ReplaceSectors(const SurfaceTags<Id>& control);
 
@@ -65,7 +65,7 @@ public:
   vtkIdType GetNumberOfCorners(int level) const;
   void WriteFaces(int level, IdsOut ids) const;
   const SurfaceScheme<Id>& GetScheme() const { return *this->Scheme; }
-  /// The vertices that are left of those that a step to a level made; empty: all.
+  /// The vertices that are left after a step to a level, by their numbers before; empty: all.
   const std::vector<Id>& GetLeft(int level) const { return this->Left[level].Vertices; }
   /// The control line of each line of the level where `splits` end.
   const std::vector<vtkIdType>& GetSplitLines() const { return this->SplitLines; }
