@@ -15,6 +15,7 @@ debootstrap and a mirror. Exit status: that of COMMAND; 77 where no root can be 
                   apt-get line; that line is run by root, then COMMAND again
   --folder NAME   the clone's folder, default SubdivisionObjects; try one with a space
   --keep          keep the root, to look into; a later run with --again goes on in it
+  --cache         take what was compiled before on this system, from the same sources (build/ccache), where the suite is the same
   --again         in the kept root, with its clone brought up to HEAD
   --record        put the result into the table of Documentation/Platforms.md
 
@@ -25,13 +26,14 @@ END
 
 fresh() # [OPTION...] [SUITE [COMMAND...]]
 {
-  local user=root folder=SubdivisionObjects keep=no again=no record=no suite
+  local user=root folder=SubdivisionObjects keep=no again=no record=no cache="" suite
   while [[ "${1:-}" == -* ]]; do
     case $1 in
       --user) user=visitor ;;
       --folder) folder=${2:?}; shift ;;
       --keep) keep=yes ;;
       --again) again=yes ;;
+      --cache) cache=$build/ccache ;;
       --record) record=yes ;;
       --help) fresh_usage; return 0 ;;
       *) fresh_usage >&2; return 2 ;;
@@ -54,6 +56,10 @@ fresh() # [OPTION...] [SUITE [COMMAND...]]
   fi
   [ -d "$target" ] || die "no root is kept in $target"
   fresh_clone
+  if [ -n "$cache" ]; then
+    mkdir -p "$cache" "$target/ccache"
+    fresh_inside root / env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends ccache >>"$place/base.log" 2>&1 || cache=""
+  fi
 
   local log started seconds before status=0
   log=$place/$(fresh_slug "$@").log
@@ -168,22 +174,23 @@ fresh_clone()
 fresh_inside()
 {
   unshare --mount --pid --fork --kill-child --propagation private -- \
-    bash -c "$(declare -f enter_root); enter_root \"\$@\"" enter "$target" "$place/archives" "${JOBS:-}" "$@"
+    bash -c "$(declare -f enter_root); enter_root \"\$@\"" enter "$target" "$place/archives" "${JOBS:-}" "${cache:-}" "$@"
 }
 
-enter_root() # ROOT ARCHIVES JOBS USER FOLDER COMMAND...
+enter_root() # ROOT ARCHIVES JOBS CACHE USER FOLDER COMMAND...
 {
   set -euo pipefail
-  local root=$1 archives=$2 jobs=$3 user=$4 folder=$5
-  shift 5
+  local root=$1 archives=$2 jobs=$3 cache=$4 user=$5 folder=$6
+  shift 6
   mount -t proc proc "$root/proc"
   mount --bind /sys "$root/sys"
   mount -o remount,bind,ro "$root/sys"
   mount -t tmpfs -o mode=1777 shm "$root/dev/shm"
   mount -t devpts -o newinstance,ptmxmode=0666,mode=0620,gid=5 devpts "$root/dev/pts" 2>/dev/null || true
   mount --bind "$archives" "$root/var/cache/apt/archives"
+  [ -z "$cache" ] || mount --bind "$cache" "$root/ccache"
   cp -L /etc/resolv.conf "$root/etc/resolv.conf"
-  exec env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb ${jobs:+JOBS="$jobs"} \
+  exec env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 TERM=dumb ${jobs:+JOBS="$jobs"} ${cache:+COMPILER_CACHE=/ccache} \
     chroot "$root" bash -c 'user=$1 folder=$2; shift 2; cd "$folder"; export HOME=~
       [ "$user" = root ] && exec "$@"; export HOME=/home/$user USER=$user
       exec setpriv --reuid="$user" --regid="$user" --init-groups "$@"' inside "$user" "$folder" "$@"

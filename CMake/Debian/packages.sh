@@ -19,8 +19,9 @@ package_lists()
   docs_packages=(doxygen python3)
   analysis_packages=(python3-matplotlib)
   debian_packages=(dpkg-dev file gzip lintian)
-  # What tests multiply matrices and count instructions with; without it these say "skipped".
-  test_packages=(python3-scipy valgrind)
+  # What tests multiply matrices and count instructions with; without it these say "skipped". ccache, so that a fresh
+  # machine of the same suite does not compile the same sources again.
+  test_packages=(python3-scipy valgrind ccache)
   # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
   compared_packages=(libopenmesh-dev libcgal-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
