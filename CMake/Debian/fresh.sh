@@ -26,14 +26,14 @@ END
 
 fresh() # [OPTION...] [SUITE [COMMAND...]]
 {
-  local user=root folder=SubdivisionObjects keep=no again=no record=no cache="" suite
+  local user=root folder=SubdivisionObjects keep=no again=no record=no caches=no cache="" suite
   while [[ "${1:-}" == -* ]]; do
     case $1 in
       --user) user=visitor ;;
       --folder) folder=${2:?}; shift ;;
       --keep) keep=yes ;;
       --again) again=yes ;;
-      --cache) cache=$build/ccache ;;
+      --cache) caches=yes ;;
       --record) record=yes ;;
       --help) fresh_usage; return 0 ;;
       *) fresh_usage >&2; return 2 ;;
@@ -56,7 +56,8 @@ fresh() # [OPTION...] [SUITE [COMMAND...]]
   fi
   [ -d "$target" ] || die "no root is kept in $target"
   fresh_clone
-  if [ -n "$cache" ]; then
+  if [ $caches = yes ]; then
+    cache=$build/ccache
     mkdir -p "$cache" "$target/ccache"
     fresh_inside root / env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends ccache >>"$place/base.log" 2>&1 || cache=""
   fi
