@@ -88,6 +88,17 @@ bool RefinementArrays::Find(int index, const char* criterion, Array& found, bool
     this->Fail(
       std::string(criterion) + " needs an array: set array index " + std::to_string(index) + ".");
   }
+  double range[2] = { 0., 0. };
+  if (array && array->GetNumberOfTuples() > 0)
+  {
+    array->GetFiniteRange(range, -1);
+  }
+  if (range[0] > range[1])
+  {
+    this->Warn(std::string(criterion) + " refines nothing: the array \"" +
+      std::string(array->GetName() ? array->GetName() : "") +
+      "\" has no value that is a finite number.");
+  }
   found = array;
   return array != nullptr;
 }

@@ -356,6 +356,18 @@ TEST(RedGreenNotFinite, NoCellIsInARangeByThem)
       filter->SetArrayRange(50., 60.);
     });
   EXPECT_EQ(output->GetNumberOfCells(), 6);
+  // Where no value is a number, that is said.
+  box->GetPointData()->GetArray("V")->Fill(NotANumber);
+  vtkNew<Messages> messages;
+  Refine(
+    box,
+    [](Filter* filter)
+    {
+      filter->RefineByArrayRangeOn();
+      filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "V");
+    },
+    messages);
+  EXPECT_EQ(messages->CountWarnings("RefineByArrayRange refines nothing: the array \"V\""), 1);
 }
 
 // ------------------------------------------------------------------------------------------------
