@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Control/MaterialColours.h"
 #include "Private/Control/Partners.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Control/SharedValues.h"
 #include "Private/Control/SizeChecks.h"
 

@@ -4,15 +4,10 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedSides.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
 
-#include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -135,12 +130,6 @@ SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   numbers.Cells = std::move(found[1]);
   numbers.NumberOfControlPoints = things[Kinds::Vertex].Totals[0];
   return numbers;
-}
-
-void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
-{
-  output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, numbers.Points.Ids));
-  output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, numbers.Cells.Ids));
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);

@@ -22,10 +22,8 @@ constexpr int NumberOfControlKinds = VertexCellKind + 1;
 /// The control parts of each kind as keys; edges get theirs from their vertices (MakeEdgeKeys).
 using ControlKeys = std::array<SharedKeys, NumberOfControlKinds>;
 
-struct SurfaceNumbers
+struct SurfaceNumbers : WholeNumbers
 {
-  WholeIds Points; ///< -1 far from own cells
-  WholeIds Cells;
   vtkIdType NumberOfControlPoints = 0; ///< of the whole
 };
 
@@ -58,9 +56,6 @@ SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
 template <typename Id>
 SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces,
   const SharedKeys& lines, const SharedNumbers& vertices);
-
-/// Adds the numbers as arrays to an output.
-void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output);
 
 }
 

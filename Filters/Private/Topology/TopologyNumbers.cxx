@@ -2,15 +2,10 @@
 #include "Private/Topology/TopologyNumbers.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedNumbers.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
 
-#include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -22,45 +17,23 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-Ids NumberPoints(vtkPointSet* input, const ControlMesh& mesh, Partners& partners)
+/// The points of some cells as keys.
+SharedKeys MakeKeys(const CellReader& reader, const Ids& cells, int width, const Ids& points)
 {
-  const SimplexView read = mesh.Cells.GetView();
-  const Ids& parents = mesh.Cells.ParentCells;
-  Ids cells;
-  for (const vtkIdType s : InTurn(read.NumberOfSimplices))
-  {
-    cells.push_back(parents.empty() ? s : parents[s]);
-  }
-  const SharedKeys pieces = MakeKeysOfPieces(cells, PlaceCells(input, partners), partners);
-  return NumberVertices(input->GetNumberOfPoints(), read, pieces, partners).First;
-}
-
-/// Of own cells of one dimension, by the numbers of their points; the first one has the number
-/// `first`, which becomes that of the next dimension.
-void NumberCells(vtkUnstructuredGrid* output, const Ids& own, int dimension, const Ids& points,
-  vtkIdType& first, Partners& partners, Ids& numbers)
-{
-  const CellReader reader(output);
-  SharedKeys things;
-  things.Width = dimension + 1;
+  SharedKeys keys;
+  keys.Width = width;
+  keys.Own.assign(cells.size(), 1);
   Ids scratch;
-  for (const vtkIdType c : InTurn(own))
+  for (const vtkIdType c : InTurn(cells))
   {
     const CellIds cell = reader.GetCell(c, scratch);
-    const std::size_t start = things.Keys.size();
-    for (vtkIdType k = 0; k < cell.Size; ++k)
+    for (vtkIdType k = 0; k < width; ++k)
     {
-      things.Keys.push_back(points[cell.Ids[k]]);
+      keys.Keys.push_back(points[cell.Ids[k]]);
     }
-    std::sort(things.Keys.begin() + static_cast<std::ptrdiff_t>(start), things.Keys.end());
+    std::sort(keys.Keys.end() - width, keys.Keys.end());
   }
-  things.Own.assign(own.size(), 1);
-  const SharedNumbers found = NumberTogether(things, partners);
-  for (const std::size_t i : InTurn(own.size()))
-  {
-    numbers[own[i]] = first + found.First[i];
-  }
-  first += found.Totals[0];
+  return keys;
 }
 
 }
@@ -68,7 +41,15 @@ void NumberCells(vtkUnstructuredGrid* output, const Ids& own, int dimension, con
 void AddTopologyNumbers(vtkPointSet* input, const ControlMesh& mesh,
   const std::function<bool(vtkIdType)>& isOwn, Partners& partners, vtkUnstructuredGrid* output)
 {
-  const Ids points = NumberPoints(input, mesh, partners);
+  const SimplexView read = mesh.Cells.GetView();
+  Ids cells = mesh.Cells.ParentCells;
+  for (vtkIdType s = 0; mesh.Cells.ParentCells.empty() && s < read.NumberOfSimplices; ++s)
+  {
+    cells.push_back(s);
+  }
+  const SharedKeys pieces = MakeKeysOfPieces(cells, PlaceCells(input, partners), partners);
+  WholeNumbers numbers;
+  numbers.Points = NumberVertices(input->GetNumberOfPoints(), read, pieces, partners);
   const CellReader reader(output);
   Ids own[3];
   Ids scratch;
@@ -79,14 +60,12 @@ void AddTopologyNumbers(vtkPointSet* input, const ControlMesh& mesh,
       own[reader.GetCell(c, scratch).Size - 1].push_back(c);
     }
   }
-  Ids cells(static_cast<std::size_t>(output->GetNumberOfCells()), -1);
-  vtkIdType first = 0;
-  for (int dimension = 0; dimension < 3; ++dimension)
+  numbers.Cells.Ids.assign(static_cast<std::size_t>(output->GetNumberOfCells()), -1);
+  for (int i = 0; i < 3; ++i)
   {
-    NumberCells(output, own[dimension], dimension, points, first, partners, cells);
+    numbers.Cells.Add(MakeKeys(reader, own[i], i + 1, numbers.Points.Ids), partners, own[i]);
   }
-  output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, points));
-  output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, cells));
+  numbers.Write(output);
 }
 
 }
