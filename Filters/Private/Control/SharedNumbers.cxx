@@ -7,6 +7,7 @@
 #include "Private/Control/Partners.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -218,6 +219,18 @@ SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partn
     pieces.Own.push_back(partners.IsOwn(cells[i]));
   }
   return pieces;
+}
+
+SharedKeys MakeKeysOfPieces(
+  const SimplicesOfCells& simplices, const Ids& places, Partners& partners)
+{
+  Ids cells = simplices.ParentCells;
+  if (cells.empty())
+  {
+    cells.resize(static_cast<std::size_t>(simplices.Simplices.GetNumberOfSimplices()));
+    std::iota(cells.begin(), cells.end(), vtkIdType(0));
+  }
+  return MakeKeysOfPieces(cells, places, partners);
 }
 
 std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn)

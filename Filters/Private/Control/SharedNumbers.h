@@ -22,6 +22,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
+struct SimplicesOfCells;
+
 struct SharedNumbers
 {
   /// The number of ids before each thing in the whole mesh: `Kinds` of them; -1 where no partition
@@ -77,6 +79,9 @@ std::vector<vtkIdType> PlaceCells(vtkPointSet* input, Partners& partners);
 /// their cell, and which of its pieces they are; and whether the cell is own.
 SharedKeys MakeKeysOfPieces(
   const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& places, Partners& partners);
+/// The same for the simplices of cells.
+SharedKeys MakeKeysOfPieces(
+  const SimplicesOfCells& simplices, const std::vector<vtkIdType>& places, Partners& partners);
 
 /// Which points of an input or output cells use that are made of own input cells; `inputCells`: of
 /// each cell; empty: each is itself.

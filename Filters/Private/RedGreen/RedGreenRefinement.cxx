@@ -23,7 +23,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <numeric>
 #include <stdexcept>
 
 namespace subdivision
@@ -240,22 +239,17 @@ template <typename Id>
 WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
   const std::vector<vtkIdType>& simplices, Partners& partners, vtkUnstructuredGrid* output)
 {
-  const auto toCells = [&mesh](std::vector<vtkIdType> cells)
+  std::vector<vtkIdType> sources;
+  for (const vtkIdType simplex : InTurn(simplices))
   {
-    std::transform(cells.begin(), cells.end(), cells.begin(),
-      [&mesh](vtkIdType simplex) { return mesh.GetInputCell(simplex); });
-    return cells;
-  };
-  const SimplexView read = mesh.Control.Cells.GetView();
-  std::vector<vtkIdType> all(static_cast<std::size_t>(read.NumberOfSimplices));
-  std::iota(all.begin(), all.end(), vtkIdType(0));
+    sources.push_back(mesh.GetInputCell(simplex));
+  }
   const std::vector<vtkIdType> places = PlaceCells(input, partners);
-  const std::vector<vtkIdType> sources = toCells(simplices);
   WholeNumbers numbers;
   numbers.Cells = NumberCells(places, sources, partners);
   const std::vector<char> own = FindOwnPoints(output, sources, partners);
-  numbers.Points = NumberVertices(input->GetNumberOfPoints(), read,
-    MakeKeysOfPieces(toCells(std::move(all)), places, partners), partners);
+  numbers.Points = NumberVertices(input->GetNumberOfPoints(), mesh.Control.Cells.GetView(),
+    MakeKeysOfPieces(mesh.Control.Cells, places, partners), partners);
   numbers.Points.Ids.resize(static_cast<std::size_t>(state.GetNumberOfVertices()), -1);
   std::vector<std::vector<Id>> added = ListByHalvings(state);
   const auto halvings = partners.Gather(static_cast<vtkIdType>(added.size()));

@@ -49,7 +49,7 @@ template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
   const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners);
 
-/// The points of the input as keys, by their ids: sure are those of own cells.
+/// The points of the input as keys, by their ids: sure are those of own cells and of none.
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
 /// Edges as keys, by the numbers of their vertices, in the order of which they are: sure are those
 /// of own faces and lines.
