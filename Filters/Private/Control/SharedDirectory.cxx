@@ -41,16 +41,6 @@ private:
   std::vector<int> Partitions;
 };
 
-Partners::Messages PackAll(const std::map<int, Ids>& lists)
-{
-  Partners::Messages messages;
-  for (const auto& [partition, ids] : lists)
-  {
-    messages[partition] = Pack(ids);
-  }
-  return messages;
-}
-
 }
 
 SharedDirectory::SharedDirectory(

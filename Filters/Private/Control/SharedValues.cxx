@@ -54,11 +54,7 @@ SharedValues::SharedValues(const SharedKeys& things, Partners& partners)
       wanted[owner].push_back(owners[2 * i + 1]);
     }
   }
-  Partners::Messages messages;
-  for (const auto& [owner, places] : wanted)
-  {
-    messages[owner] = Pack(places);
-  }
+  Partners::Messages messages = PackAll(wanted);
   partners.Send(messages);
   for (const auto& [from, message] : messages)
   {
