@@ -173,9 +173,9 @@ bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
   RemoveSurfaceStamp(this->Output);
   if (this->Others && this->Options.GenerateGlobalIds)
   {
-    WriteNumbers(NumberAdaptiveSurface(this->Input, this->Cells, this->Control, *this->Mesh, plan,
-                   *this->Others, this->Output),
-      this->Output);
+    NumberAdaptiveSurface(
+      this->Input, this->Cells, this->Control, *this->Mesh, plan, *this->Others, this->Output)
+      .Write(this->Output);
   }
   return true;
 }

@@ -19,12 +19,12 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// Collects things of all partitions for NumberTogether.
-class Collection
+/// Vertices of one level and origin, as keys, and their places among all vertices.
+struct Collection
 {
-public:
-  explicit Collection(int width) { this->Keys.Width = width; }
-  /// `place`: in the list that gets the number.
+  SharedKeys Keys;
+  Ids Places;
+
   void Add(vtkIdType place, bool isOwn, std::initializer_list<Ids> parts)
   {
     for (const Ids& part : parts)
@@ -34,20 +34,6 @@ public:
     this->Keys.Own.push_back(isOwn);
     this->Places.push_back(place);
   }
-  /// Numbers them from the total of the list on.
-  void Number(Partners& partners, WholeIds& list) const
-  {
-    const SharedNumbers numbers = NumberTogether(this->Keys, partners);
-    for (const size_t i : InTurn(this->Places.size()))
-    {
-      list.Ids[this->Places[i]] = numbers.First[i] < 0 ? -1 : list.Total + numbers.First[i];
-    }
-    list.Total += numbers.Totals[0];
-  }
-
-private:
-  SharedKeys Keys;
-  Ids Places;
 };
 
 /// Which thing of several of one kind on the control level.
@@ -132,42 +118,41 @@ void NumberAdded(const AdaptiveSqrtThree<Id>& mesh, const Paths<Id>& paths,
   const std::vector<char>& own, Partners& partners, WholeIds& points)
 {
   std::vector<std::array<Collection, 2>> levels;
+  const auto atLevel = [&levels](int level) -> std::array<Collection, 2>&
+  {
+    levels.resize(std::max(levels.size(), static_cast<size_t>(level + 1)));
+    return levels[level];
+  };
   for (Id v = static_cast<Id>(mesh.GetNumberOfControlVertices()); v < mesh.GetNumberOfVertices();
     ++v)
   {
     const Id source = mesh.GetAdded(v).Source;
-    const int level =
-      source >= 0 ? mesh.GetLevel(source) : mesh.GetSegmentAt(-1 - source).Level + 1;
-    while (static_cast<int>(levels.size()) <= level)
-    {
-      levels.push_back({ Collection(paths.WidthOfFace), Collection(paths.WidthOfSegment) });
-    }
     if (source >= 0)
     {
-      paths.Add(source, v, own[v], levels[level][0]);
+      paths.Add(source, v, own[v], atLevel(mesh.GetLevel(source))[0]);
       continue;
     }
-    const Id segment = -1 - source;
+    const auto& segment = mesh.GetSegmentAt(-1 - source);
     paths.AddThirds(
-      segment, v, v == mesh.GetSegmentAt(segment).Thirds ? 0 : 1, own[v], levels[level][1]);
+      -1 - source, v, v == segment.Thirds ? 0 : 1, own[v], atLevel(segment.Level + 1)[1]);
   }
   const Ids all = partners.Gather(static_cast<vtkIdType>(levels.size()));
-  const auto most = static_cast<size_t>(*std::max_element(all.begin(), all.end()));
-  while (levels.size() < most)
+  levels.resize(static_cast<size_t>(*std::max_element(all.begin(), all.end())));
+  for (auto& level : levels)
   {
-    levels.push_back({ Collection(paths.WidthOfFace), Collection(paths.WidthOfSegment) });
-  }
-  for (const auto& level : levels)
-  {
-    level[0].Number(partners, points);
-    level[1].Number(partners, points);
+    level[0].Keys.Width = paths.WidthOfFace;
+    level[1].Keys.Width = paths.WidthOfSegment;
+    for (const Collection& vertices : level)
+    {
+      points.Add(vertices.Keys, partners, vertices.Places);
+    }
   }
 }
 
 }
 
 template <typename Id>
-SurfaceNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
+WholeNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceLevel<Id>& control, const AdaptiveSqrtThree<Id>& mesh,
   const AdaptiveSqrtThreeOutput<Id>& plan, Partners& partners, vtkPolyData* output)
 {
@@ -176,47 +161,27 @@ SurfaceNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cel
   const SharedKeys lines = MakeKeysOfPieces(cells.SegmentCells, places, partners);
   const SharedNumbers given = NumberTogether(MakeVertexKeys(input, partners), partners);
   const SharedKeys edges = MakeEdgeKeys(control, faces, lines, given);
-  const Paths<Id> paths(mesh, control, faces, edges);
 
   auto* originals =
     vtkIdTypeArray::SafeDownCast(output->GetCellData()->GetArray(OriginalCellIdsName));
-  const vtkIdType* firstOriginal = originals->GetPointer(0);
-  const Ids inputCells(firstOriginal, firstOriginal + originals->GetNumberOfValues());
-  const std::vector<char> own = FindOwnPoints(output, inputCells, partners);
-  SurfaceNumbers numbers;
+  const vtkIdType* first = originals->GetPointer(0);
+  const Ids sources(first, first + originals->GetNumberOfValues());
+  WholeNumbers numbers;
   numbers.Points = { given.First, given.Totals[0] };
   numbers.Points.Ids.resize(static_cast<size_t>(mesh.GetNumberOfVertices()), -1);
-  NumberAdded(mesh, paths, own, partners, numbers.Points);
-
-  numbers.Cells.Ids.resize(inputCells.size(), -1);
-  const auto isOwn = [&](vtkIdType cell) { return partners.IsOwn(inputCells[cell]); };
-  Collection ofVertices(2);
-  vtkIdType next = 0;
-  const SharedKeys vertices = MakeKeysOfPieces(cells.VertexCells, places, partners);
-  for (size_t i = 0; i < vertices.Own.size(); ++i, ++next)
+  const Paths<Id> paths(mesh, control, faces, edges);
+  NumberAdded(mesh, paths, FindOwnPoints(output, sources, partners), partners, numbers.Points);
+  const Buffer<Id> triangles = plan.FindFaces();
+  const auto firstTriangle = static_cast<vtkIdType>(sources.size()) - triangles.size();
+  numbers.Cells =
+    NumberCells(places, { sources.begin(), sources.begin() + firstTriangle }, partners);
+  Collection ofTriangles;
+  ofTriangles.Keys.Width = paths.WidthOfFace;
+  for (const vtkIdType i : InTurn(triangles.size()))
   {
-    ofVertices.Add(next, isOwn(next), { TakeKey(vertices, static_cast<vtkIdType>(i)) });
+    paths.Add(triangles[i], i, partners.IsOwn(sources[firstTriangle + i]), ofTriangles);
   }
-  ofVertices.Number(partners, numbers.Cells);
-  Collection ofLines(3);
-  std::vector<typename AdaptiveSqrtThreeOutput<Id>::Piece> pieces;
-  for (const vtkIdType line : InTurn(control.Lines.size()))
-  {
-    pieces.clear();
-    plan.AppendPieces(control.Lines[line], pieces);
-    for (size_t i = 0; i < pieces.size(); ++i, ++next)
-    {
-      ofLines.Add(next, isOwn(next), { TakeKey(lines, line), { static_cast<vtkIdType>(i) } });
-    }
-  }
-  ofLines.Number(partners, numbers.Cells);
-  Collection ofFaces(paths.WidthOfFace);
-  for (const Id face : plan.FindFaces())
-  {
-    paths.Add(face, next, isOwn(next), ofFaces);
-    ++next;
-  }
-  ofFaces.Number(partners, numbers.Cells);
+  numbers.Cells.Add(ofTriangles.Keys, partners);
   return numbers;
 }
 

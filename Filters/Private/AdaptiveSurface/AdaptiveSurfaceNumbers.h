@@ -19,13 +19,13 @@ namespace subdivision
  * them from which `mesh` was made; `output` has its cells, with original ids. All partitions call
  * this together.
  *
- * A triangle or vertex is known by its control face or edge and by the path from there, which
- * child of which child. The trees of control faces of others are known in part only, so that counts
- * as in NumberSurface would not do. 48 bytes are sent for each triangle and vertex; two exchanges
- * for each level.
+ * A triangle or vertex is known by its control face or edge and by the path from there, which child
+ * of which child. The trees of control faces of others are known in part only, so that counts as in
+ * NumberSurface would not do. 56 bytes are sent for each triangle and vertex; four exchanges for
+ * each level.
  */
 template <typename Id>
-SurfaceNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
+WholeNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceLevel<Id>& control, const AdaptiveSqrtThree<Id>& mesh,
   const AdaptiveSqrtThreeOutput<Id>& plan, Partners& partners, vtkPolyData* output);
 

@@ -3,9 +3,10 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
-#include <cstring>
+#include <map>
 
 namespace subdivision
 {
@@ -122,7 +123,7 @@ template <typename Id>
 Partners::Messages SharedFaces<Id>::TakeNew()
 {
   this->Carriers.Continue();
-  Partners::Messages messages;
+  std::map<int, std::vector<Path>> paths;
   std::vector<int> to;
   for (; this->Known < this->Mesh.GetNumberOfSplits(); ++this->Known)
   {
@@ -138,21 +139,13 @@ Partners::Messages SharedFaces<Id>::TakeNew()
         this->AddHolders(this->Mesh.GetTwin(corner) / 3, to);
       }
     }
-    std::sort(to.begin(), to.end());
-    to.erase(std::unique(to.begin(), to.end()), to.end());
-    if (to.empty())
-    {
-      continue;
-    }
-    const Path path = this->FindPath(face);
+    SortDistinct(to);
     for (const int partition : to)
     {
-      std::vector<char>& message = messages[partition];
-      const char* bytes = reinterpret_cast<const char*>(&path);
-      message.insert(message.end(), bytes, bytes + sizeof(Path));
+      paths[partition].push_back(this->FindPath(face));
     }
   }
-  return messages;
+  return PackAll(paths);
 }
 
 template <typename Id>
@@ -160,10 +153,8 @@ bool SharedFaces<Id>::Receive(const Partners::Messages& messages, vtkIdType most
 {
   for (const auto& [from, message] : messages)
   {
-    for (std::size_t i = 0; i + sizeof(Path) <= message.size(); i += sizeof(Path))
+    for (const Path& path : Unpack<Path>(message))
     {
-      Path path;
-      std::memcpy(static_cast<void*>(&path), message.data() + i, sizeof(Path));
       if (!this->SplitAt(path, mostCells))
       {
         return false;

@@ -5,7 +5,6 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Features.h"
-#include "Private/Control/Keepers.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/PointCopies.h"
 
@@ -265,23 +264,23 @@ Ids ChooseTogether(const Ids& keys, const Meetings& meetings, Partners& partners
 {
   const int first = partners.FindFirst();
   Partners::Messages messages;
-  messages[first] = PackIds(AllMaterials::Tell(keys, meetings));
+  messages[first] = Pack(AllMaterials::Tell(keys, meetings));
   partners.Send(messages);
   if (partners.GetPartition() == first)
   {
     AllMaterials all;
     for (const auto& [from, message] : messages)
     {
-      all.Add(UnpackIds(message));
+      all.Add(Unpack<vtkIdType>(message));
     }
     all.Colour();
     for (auto& [from, message] : messages)
     {
-      message = PackIds(all.Answer(UnpackIds(message)));
+      message = Pack(all.Answer(Unpack<vtkIdType>(message)));
     }
   }
   partners.Send(messages);
-  return UnpackIds(messages.at(first));
+  return Unpack<vtkIdType>(messages.at(first));
 }
 
 /// The same without others.

@@ -113,7 +113,7 @@ inline void Partners::FindLargest(std::vector<double>& values)
   this->TakeFrom(first, values);
 }
 
-/// Numbers as a message.
+/// Numbers, or records of numbers, as a message.
 template <typename Number>
 std::vector<char> Pack(const std::vector<Number>& numbers)
 {
@@ -122,12 +122,24 @@ std::vector<char> Pack(const std::vector<Number>& numbers)
 }
 
 template <typename Number>
+Partners::Messages PackAll(const std::map<int, std::vector<Number>>& lists)
+{
+  Partners::Messages messages;
+  for (const auto& [partition, list] : lists)
+  {
+    messages[partition] = Pack(list);
+  }
+  return messages;
+}
+
+template <typename Number>
 std::vector<Number> Unpack(const std::vector<char>& message)
 {
   std::vector<Number> numbers(message.size() / sizeof(Number));
   if (!numbers.empty()) // else there is no place to copy to, which memcpy does not allow
   {
-    std::memcpy(numbers.data(), message.data(), numbers.size() * sizeof(Number));
+    std::memcpy(
+      static_cast<void*>(numbers.data()), message.data(), numbers.size() * sizeof(Number));
   }
   return numbers;
 }

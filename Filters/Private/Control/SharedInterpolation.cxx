@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Control/MaterialColours.h"
 #include "Private/Control/Partners.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Control/SharedValues.h"
 #include "Private/Control/SizeChecks.h"
 
@@ -12,7 +13,6 @@
 #include "vtkPointSet.h"
 
 #include <memory>
-#include <numeric>
 #include <sstream>
 
 namespace subdivision
@@ -32,14 +32,8 @@ SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Pa
   }
   if (cells.GetNumberOfCentres() > 0)
   {
-    std::vector<vtkIdType> parents = cells.ParentCells;
-    if (parents.empty())
-    {
-      parents.resize(static_cast<size_t>(cells.Simplices.GetNumberOfSimplices()));
-      std::iota(parents.begin(), parents.end(), vtkIdType(0));
-    }
     const SharedKeys centres = MakeCentreKeys(input->GetNumberOfPoints(), cells.GetView(),
-      MakeKeysOfPieces(parents, partners.GetCellIds(), partners));
+      MakeKeysOfPieces(cells, partners.GetCellIds(), partners));
     for (size_t c = 0; c < centres.Own.size(); ++c)
     {
       control.Keys.insert(control.Keys.end(), { centres.Keys[2 * c], 1 + centres.Keys[2 * c + 1] });

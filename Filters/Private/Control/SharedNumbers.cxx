@@ -2,17 +2,20 @@
 #include "Private/Control/SharedNumbers.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/Keepers.h"
 #include "Private/Control/Partners.h"
+#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/CellsToSimplices.h"
 
+#include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <numeric>
 
 namespace subdivision
@@ -21,135 +24,6 @@ namespace
 {
 
 using Ids = std::vector<vtkIdType>;
-
-/// Whether partitions may have different sizes of a thing that not all of them are sure of.
-bool MayDiffer(size_t kinds)
-{
-  return kinds > 1;
-}
-
-/// What a partition keeps: records of a key and its sizes. The things that some partition is sure
-/// of, ascending, each once.
-class Kept
-{
-public:
-  Kept(int width, int kinds)
-    : Width(width)
-    , Length(width + kinds)
-  {
-  }
-  void Add(const vtkIdType* first, const vtkIdType* last)
-  {
-    this->Records.insert(this->Records.end(), first, last);
-  }
-  /// Replaces sizes by the sums of those before.
-  void SumUp()
-  {
-    this->Sort();
-    this->Sums.assign(static_cast<size_t>(this->Length - this->Width), 0);
-    for (vtkIdType* record : InTurn(this->Sorted))
-    {
-      for (size_t kind = 0; kind < this->Sums.size(); ++kind)
-      {
-        const vtkIdType size = record[this->Width + kind];
-        record[this->Width + kind] = this->Sums[kind];
-        this->Sums[kind] += size;
-      }
-    }
-  }
-  /// The sums of all.
-  const Ids& GetSums() const { return this->Sums; }
-  /// Which thing has a key; the number of things: nobody is sure of it.
-  size_t Find(const vtkIdType* key) const
-  {
-    const size_t place = this->FindBucket(key);
-    if (place + 1 >= this->Starts.size())
-    {
-      return this->Sorted.size();
-    }
-    const auto last = this->Sorted.begin() + this->Starts[place + 1];
-    const auto found = std::lower_bound(this->Sorted.begin() + this->Starts[place], last, key,
-      [this](const vtkIdType* record, const vtkIdType* k) { return this->IsLess(record, k); });
-    return found == last || this->IsLess(key, *found)
-      ? this->Sorted.size()
-      : static_cast<size_t>(found - this->Sorted.begin());
-  }
-  /// The sum of those before a thing, or of all.
-  vtkIdType GetBefore(size_t thing, size_t kind) const
-  {
-    return thing < this->Sorted.size() ? this->Sorted[thing][this->Width + kind] : this->Sums[kind];
-  }
-  size_t GetNumberOfThings() const { return this->Sorted.size(); }
-
-private:
-  bool IsLess(const vtkIdType* a, const vtkIdType* b) const
-  {
-    return std::lexicographical_compare(a, a + this->Width, b, b + this->Width);
-  }
-  /// Buckets are ranges of first ids: about as many as there are records, however far apart ids
-  /// are.
-  size_t FindBucket(const vtkIdType* key) const
-  {
-    return static_cast<size_t>((std::max(*key, this->Least) - this->Least) >> this->BucketShift);
-  }
-  void MakeBuckets()
-  {
-    const auto length = static_cast<size_t>(this->Length);
-    vtkIdType last = 0;
-    this->Least = this->Records.empty() ? 0 : this->Records[0];
-    for (size_t i = 0; i < this->Records.size(); i += length)
-    {
-      this->Least = std::min(this->Least, this->Records[i]);
-      last = std::max(last, this->Records[i]);
-    }
-    const auto size = static_cast<vtkIdType>(this->Records.size() / length);
-    this->BucketShift = 0;
-    while ((last - this->Least) >> this->BucketShift > size)
-    {
-      ++this->BucketShift;
-    }
-    this->Starts.assign(((last - this->Least) >> this->BucketShift) + 2, 0);
-  }
-  /// Sorts by counting the keys of each bucket, and then the few in each.
-  void Sort()
-  {
-    const auto length = static_cast<size_t>(this->Length);
-    this->MakeBuckets();
-    std::vector<size_t> ends(this->Starts.size(), 0);
-    for (size_t i = 0; i < this->Records.size(); i += length)
-    {
-      ++ends[this->FindBucket(this->Records.data() + i) + 1];
-    }
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<vtkIdType*> records(this->Records.size() / length);
-    for (size_t i = 0; i < this->Records.size(); i += length)
-    {
-      vtkIdType* record = this->Records.data() + i;
-      records[ends[this->FindBucket(record)]++] = record;
-    }
-    const auto isLess = [this](const vtkIdType* a, const vtkIdType* b)
-    { return this->IsLess(a, b); };
-    auto first = records.begin();
-    for (size_t bucket = 0; bucket < ends.size(); ++bucket)
-    {
-      const auto next = records.begin() + ends[bucket];
-      this->Starts[bucket] = this->Sorted.size();
-      std::sort(first, next, isLess);
-      std::unique_copy(first, next, std::back_inserter(this->Sorted),
-        [&](const vtkIdType* a, const vtkIdType* b) { return !isLess(a, b); });
-      first = next;
-    }
-  }
-
-  int Width;
-  int Length;
-  Ids Records;
-  vtkIdType Least = 0;        ///< first id of a key
-  int BucketShift = 0;        ///< a bucket is so wide: 2 to this power
-  std::vector<size_t> Starts; ///< in Sorted, of each bucket
-  std::vector<vtkIdType*> Sorted;
-  Ids Sums;
-};
 
 /// How many things there are of the kind of a segment.
 vtkIdType CountThings(const IdSegment& segment, const std::vector<SharedNumbers>& things)
@@ -198,139 +72,42 @@ vtkIdType WriteIds(const IdSegments& list, const std::vector<SharedNumbers>& thi
   return total;
 }
 
-/// The questions of this partition: to each keeper the number of things that it is sure of, these
-/// with their sizes, then the keys of the others, with their sizes if these may differ.
-class Questions
+/// Answers with the numbers of ids before each thing that some partition is sure of, and adds those
+/// that it gets.
+void AnswerNumbers(SharedDirectory& directory, bool haveSizes, Ids& before)
 {
-public:
-  Questions(const SharedKeys& things, const Keepers& keepers)
-    : Kinds(things.Kinds)
-  {
-    const auto width = static_cast<size_t>(things.Width);
-    const auto kinds = static_cast<size_t>(things.Kinds);
-    for (const bool own : { true, false })
+  directory.ForThings(
+    [&](auto first, auto last)
     {
-      for (size_t i = 0; i < things.Own.size(); ++i)
+      const auto sure = std::find_if(first, last, [](const auto& entry) { return entry.IsOwn; });
+      for (; sure != last && first != last; ++first)
       {
-        if (static_cast<bool>(things.Own[i]) != own)
+        for (size_t kind = 0; kind < before.size(); ++kind)
         {
-          continue;
-        }
-        const vtkIdType* key = things.Keys.data() + width * i;
-        auto& [ids, places] = this->To[keepers.Find(key[0])];
-        ids.resize(std::max<size_t>(ids.size(), 1), 0);
-        ids.insert(ids.end(), key, key + width);
-        places.push_back(i);
-        ids[0] += own ? 1 : 0;
-        if (own || MayDiffer(kinds))
-        {
-          for (size_t kind = 0; kind < kinds; ++kind)
-          {
-            ids.push_back(things.Sizes.empty() ? 1 : things.Sizes[kinds * i + kind]);
-          }
+          const bool isKnown = first->IsOwn || !haveSizes || first->Told[kind] == sure->Told[kind];
+          first->Answer[kind] = isKnown ? before[kind] : -1;
         }
       }
-    }
-  }
-  Partners::Messages Pack() const
-  {
-    Partners::Messages messages;
-    for (const auto& [keeper, question] : this->To)
-    {
-      messages[keeper] = PackIds(question.first);
-    }
-    return messages;
-  }
-  /// Sorts in the answers of all keepers; `before`: what their predecessors have.
-  void Take(const Partners::Messages& answers, SharedNumbers& numbers) const
-  {
-    const auto kinds = static_cast<size_t>(this->Kinds);
-    for (const auto& [keeper, message] : answers)
-    {
-      const Ids answer = UnpackIds(message);
-      const std::vector<size_t>& places = this->To.at(keeper).second;
-      for (size_t i = 0; i < places.size(); ++i)
+      for (size_t kind = 0; sure != last && kind < before.size(); ++kind)
       {
-        std::copy_n(answer.data() + kinds * i, kinds, numbers.First.data() + kinds * places[i]);
+        before[kind] += sure->Told[kind];
       }
-    }
-  }
-
-private:
-  int Kinds;
-  std::map<int, std::pair<Ids, std::vector<size_t>>> To;
-};
-
-/// The answers of this partition: numbers count from its own first thing.
-class Answers
-{
-public:
-  Answers(const SharedKeys& things, const Partners::Messages& questions)
-    : Width(static_cast<size_t>(things.Width))
-    , Kinds(static_cast<size_t>(things.Kinds))
-    , Things(things.Width, things.Kinds)
-  {
-    for (const auto& [from, message] : questions)
-    {
-      Ids& ids = this->Asked[from];
-      ids = UnpackIds(message);
-      const size_t sure = static_cast<size_t>(ids[0]) * (this->Width + this->Kinds);
-      this->Things.Add(ids.data() + 1, ids.data() + 1 + sure);
-    }
-    this->Things.SumUp();
-  }
-  const Ids& GetSums() const { return this->Things.GetSums(); }
-  /// `before`: how many ids of each kind the keepers before this one have.
-  Partners::Messages Pack(const Ids& before) const
-  {
-    Partners::Messages messages;
-    for (const auto& [from, ids] : this->Asked)
-    {
-      Ids answer;
-      answer.reserve(ids.size());
-      size_t at = 1;
-      for (vtkIdType i = 0; at < ids.size(); ++i)
-      {
-        const bool isSure = i < ids[0];
-        const size_t found = this->Things.Find(ids.data() + at);
-        at += this->Width;
-        for (size_t kind = 0; kind < this->Kinds; ++kind)
-        {
-          const bool isKnown = found < this->Things.GetNumberOfThings() &&
-            (isSure || !MayDiffer(this->Kinds) || this->GetSize(found, kind) == ids[at + kind]);
-          answer.push_back(isKnown ? before[kind] + this->Things.GetBefore(found, kind) : -1);
-        }
-        at += isSure || MayDiffer(this->Kinds) ? this->Kinds : 0;
-      }
-      messages[from] = PackIds(answer);
-    }
-    return messages;
-  }
-
-private:
-  vtkIdType GetSize(size_t thing, size_t kind) const
-  {
-    return this->Things.GetBefore(thing + 1, kind) - this->Things.GetBefore(thing, kind);
-  }
-
-  size_t Width;
-  size_t Kinds;
-  Kept Things;
-  std::map<int, Ids> Asked;
-};
+    });
+}
 
 }
 
 SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
 {
-  const Keepers keepers(things, partners);
-  const Questions questions(things, keepers);
-  Partners::Messages messages = questions.Pack();
-  partners.Send(messages);
-  const Answers answers(things, messages);
+  const auto kinds = static_cast<size_t>(things.Kinds);
+  const Ids ones(things.Sizes.empty() ? things.Own.size() : 0, 1);
+  SharedDirectory directory(
+    things, things.Kinds, ones.empty() ? things.Sizes : ones, things.Kinds, partners);
   SharedNumbers numbers;
+  Ids sums(kinds, 0);
+  AnswerNumbers(directory, !things.Sizes.empty(), sums);
   Ids before;
-  for (const vtkIdType sum : answers.GetSums())
+  for (const vtkIdType sum : sums)
   {
     Ids all = partners.Gather(sum);
     std::replace(all.begin(), all.end(), vtkIdType(-1), vtkIdType(0));
@@ -338,10 +115,8 @@ SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
     before.push_back(std::accumulate(all.begin(), own, vtkIdType(0)));
     numbers.Totals.push_back(std::accumulate(own, all.end(), before.back()));
   }
-  messages = answers.Pack(before);
-  partners.Send(messages);
-  numbers.First.assign(things.Own.size() * static_cast<size_t>(things.Kinds), -1);
-  questions.Take(messages, numbers);
+  AnswerNumbers(directory, !things.Sizes.empty(), before);
+  numbers.First = directory.TakeAnswers();
   return numbers;
 }
 
@@ -371,6 +146,20 @@ SharedNumbers NumberTogether(
     }
   }
   return NumberTogether(things, partners);
+}
+
+void WholeIds::Add(
+  const SharedKeys& things, Partners& partners, const std::vector<vtkIdType>& places)
+{
+  const SharedNumbers numbers = NumberTogether(things, partners);
+  const std::size_t first = this->Ids.size();
+  this->Ids.resize(first + (places.empty() ? numbers.First.size() : 0));
+  for (const std::size_t i : InTurn(numbers.First.size()))
+  {
+    this->Ids[places.empty() ? first + i : static_cast<std::size_t>(places[i])] =
+      numbers.First[i] < 0 ? -1 : this->Total + numbers.First[i];
+  }
+  this->Total += numbers.Totals[0];
 }
 
 std::vector<WholeIds> FindWholeIds(
@@ -432,6 +221,18 @@ SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partn
   return pieces;
 }
 
+SharedKeys MakeKeysOfPieces(
+  const SimplicesOfCells& simplices, const Ids& places, Partners& partners)
+{
+  Ids cells = simplices.ParentCells;
+  if (cells.empty())
+  {
+    cells.resize(static_cast<std::size_t>(simplices.Simplices.GetNumberOfSimplices()));
+    std::iota(cells.begin(), cells.end(), vtkIdType(0));
+  }
+  return MakeKeysOfPieces(cells, places, partners);
+}
+
 std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn)
 {
   const CellReader cells(mesh);
@@ -485,23 +286,48 @@ SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const 
   return centres;
 }
 
-SharedNumbers NumberVertices(
-  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+WholeIds NumberPoints(vtkIdType points, Partners& partners)
 {
   SharedKeys given;
   const Ids& ids = partners.GetPointIds();
-  points = std::min(points, simplices.NumberOfPoints);
   given.Keys.assign(ids.begin(), ids.begin() + points);
   given.Own.assign(given.Keys.size(), 1);
-  SharedNumbers numbers = NumberTogether(given, partners);
-  const SharedNumbers ofCentres =
-    NumberTogether(MakeCentreKeys(points, simplices, pieces), partners);
-  for (const vtkIdType number : InTurn(ofCentres.First))
-  {
-    numbers.First.push_back(number < 0 ? -1 : numbers.Totals[0] + number);
-  }
-  numbers.Totals[0] += ofCentres.Totals[0];
+  WholeIds numbers;
+  numbers.Add(given, partners);
   return numbers;
+}
+
+WholeIds NumberVertices(
+  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+{
+  points = std::min(points, simplices.NumberOfPoints);
+  WholeIds numbers = NumberPoints(points, partners);
+  numbers.Add(MakeCentreKeys(points, simplices, pieces), partners);
+  return numbers;
+}
+
+WholeIds NumberCells(const Ids& places, const Ids& sources, Partners& partners)
+{
+  SharedKeys inputs;
+  IdSegment cells{ 0, 0, { 0 } };
+  for (std::size_t c = 0; c < sources.size(); ++c)
+  {
+    if (c == 0 || sources[c] != sources[c - 1])
+    {
+      inputs.Keys.push_back(places[sources[c]]);
+      inputs.Own.push_back(partners.IsOwn(sources[c]));
+      cells.Before.push_back(cells.Before.back());
+    }
+    ++cells.Before.back();
+  }
+  const IdSegments list{ cells };
+  return std::move(FindWholeIds({ &list }, { NumberTogether(inputs, 0, { &list }, partners) })[0]);
+}
+
+void WholeNumbers::Write(vtkPointSet* output) const
+{
+  output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, this->Points.Ids));
+  output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, this->Cells.Ids));
 }
 
 }

@@ -8,6 +8,7 @@
 
 #include "Core/Memory/IdSegments.h"
 #include "Core/Memory/SimplexList.h"
+#include "Private/Control/SharedDirectory.h"
 
 #include "vtkType.h"
 
@@ -21,22 +22,7 @@ class vtkPointSet;
 namespace subdivision
 {
 
-class Partners;
-
-/// Things by which partitions know each other's points, edges and cells: a key of `Width` ids each,
-/// none of them negative. Equal keys are one thing, and the lexicographic order of keys is that of
-/// the whole mesh.
-struct SharedKeys
-{
-  int Width = 1;
-  std::vector<vtkIdType> Keys;
-  /// Of each thing, whether this partition is sure that it exists: it belongs to an own cell.
-  std::vector<char> Own;
-  /// How many ids of several kinds each thing gets: `Kinds` numbers for each. Empty: one of one
-  /// kind.
-  int Kinds = 1;
-  std::vector<vtkIdType> Sizes;
-};
+struct SimplicesOfCells;
 
 struct SharedNumbers
 {
@@ -47,9 +33,9 @@ struct SharedNumbers
 };
 
 /**
- * Numbers the things of all partitions, which call this together. A directory, spread over the
- * partitions by the first id of the key, sorts what they send and answers: two exchanges, about 8
- * (Width + Kinds) bytes there and 8 Kinds bytes back for each thing.
+ * Numbers the things of all partitions, which call this together. The directory sorts what they
+ * send and answers: two exchanges, 8 (Width + 1 + Kinds) bytes there and 8 Kinds bytes back for
+ * each thing.
  */
 SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners);
 
@@ -58,11 +44,25 @@ SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners);
 SharedNumbers NumberTogether(
   SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, Partners& partners);
 
-/// The ids that a list has in the whole mesh; -1 where things have none.
+/// The ids that things have in the whole mesh; -1 where they have none.
 struct WholeIds
 {
   std::vector<vtkIdType> Ids;
   vtkIdType Total = 0;
+
+  /// Numbers things, of one kind, after all that are there. `places` in Ids; empty: those at the
+  /// end.
+  void Add(const SharedKeys& things, Partners& partners, const std::vector<vtkIdType>& places = {});
+};
+
+/// What points and cells of an output are in the whole output.
+struct WholeNumbers
+{
+  WholeIds Points;
+  WholeIds Cells;
+
+  /// Adds them as arrays to an output.
+  void Write(vtkPointSet* output) const;
 };
 
 /// Finds the ids of lists of segments. `things`: of each kind its numbers.
@@ -79,6 +79,9 @@ std::vector<vtkIdType> PlaceCells(vtkPointSet* input, Partners& partners);
 /// their cell, and which of its pieces they are; and whether the cell is own.
 SharedKeys MakeKeysOfPieces(
   const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& places, Partners& partners);
+/// The same for the simplices of cells.
+SharedKeys MakeKeysOfPieces(
+  const SimplicesOfCells& simplices, const std::vector<vtkIdType>& places, Partners& partners);
 
 /// Which points of an input or output cells use that are made of own input cells; `inputCells`: of
 /// each cell; empty: each is itself.
@@ -91,10 +94,16 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkI
 /// that they are first in: the first id of these, and which centre of their cell each is.
 SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces);
 
-/// Numbers the vertices of simplices, which are such pieces: points of the input, of which there
-/// are `points`, by their ids, then centres in the order in which cells first use them.
-SharedNumbers NumberVertices(
+/// Numbers the points of the input, of which there are at most `points`, by their ids.
+WholeIds NumberPoints(vtkIdType points, Partners& partners);
+/// The same for the vertices of simplices that are such pieces: points of the input, of which there
+/// are `points`, then centres in the order in which cells first use them.
+WholeIds NumberVertices(
   vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners);
+/// Numbers the cells of an output, which have the order of the input cells that they are parts of;
+/// `places`: PlaceCells, `sources`: of each its input cell.
+WholeIds NumberCells(
+  const std::vector<vtkIdType>& places, const std::vector<vtkIdType>& sources, Partners& partners);
 
 }
 

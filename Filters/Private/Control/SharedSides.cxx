@@ -2,7 +2,7 @@
 #include "Private/Control/SharedSides.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Control/Keepers.h"
+#include "Private/Control/Partners.h"
 
 #include <algorithm>
 #include <array>
@@ -26,54 +26,22 @@ constexpr vtkIdType NotOrientable = 2;
 /// The links between parts that have a face in common, found by the keepers of faces.
 std::vector<PartLink> FindLinks(const FaceSides& sides, const SharedKeys& faces, Partners& partners)
 {
-  const Keepers keepers(faces, partners);
-  const auto width = static_cast<size_t>(faces.Width);
-  std::map<int, Ids> questions;
+  Ids told;
   for (const size_t f : InTurn(faces.Own.size()))
   {
-    const vtkIdType* key = faces.Keys.data() + width * f;
-    if (key[0] < 0)
-    {
-      continue;
-    }
-    Ids& ids = questions[keepers.Find(key[0])];
-    ids.insert(ids.end(), key, key + width);
-    ids.push_back(sides.PartOf[f]);
-    ids.push_back(sides.Turned[f]);
+    told.insert(told.end(), { sides.PartOf[f], sides.Turned[f] });
   }
-  Partners::Messages messages;
-  for (const auto& [keeper, ids] : questions)
-  {
-    messages[keeper] = PackIds(ids);
-  }
-  partners.Send(messages);
-  std::vector<Ids> records; // key, partition, part, turned
-  for (const auto& [from, message] : messages)
-  {
-    const Ids ids = UnpackIds(message);
-    for (auto id = ids.begin(); id != ids.end(); id += static_cast<std::ptrdiff_t>(width + 2))
-    {
-      const auto part = id + static_cast<std::ptrdiff_t>(width);
-      records.emplace_back(id, part);
-      records.back().insert(records.back().end(), { from, part[0], part[1] });
-    }
-  }
-  std::sort(records.begin(), records.end());
   std::vector<PartLink> links;
-  for (size_t first = 0, i = 1; i < records.size(); ++i)
-  {
-    const Ids& a = records[first];
-    const Ids& b = records[i];
-    if (std::equal(a.begin(), a.begin() + faces.Width, b.begin()))
+  SharedDirectory directory(faces, 2, told, 0, partners);
+  directory.ForThings(
+    [&links](auto first, auto last)
     {
-      links.push_back(
-        { a[width], a[width + 1], b[width], b[width + 1], a[width + 2] == b[width + 2] ? 0 : 1 });
-    }
-    else
-    {
-      first = i;
-    }
-  }
+      for (auto other = first + 1; other != last; ++other)
+      {
+        links.push_back({ first->From, first->Told[0], other->From, other->Told[0],
+          first->Told[1] == other->Told[1] ? 0 : 1 });
+      }
+    });
   std::sort(links.begin(), links.end());
   links.erase(std::unique(links.begin(), links.end()), links.end());
   return links;
@@ -200,11 +168,11 @@ Partners::Messages AnswerAll(
   AllParts all(width);
   for (const auto& [from, message] : parts)
   {
-    all.Add(from, UnpackIds(message));
+    all.Add(from, Unpack<vtkIdType>(message));
   }
   for (const auto& [from, message] : links)
   {
-    const Ids ids = UnpackIds(message);
+    const Ids ids = Unpack<vtkIdType>(message);
     for (size_t i = 0; i < ids.size(); i += LinkSize)
     {
       PartLink link;
@@ -215,7 +183,7 @@ Partners::Messages AnswerAll(
   Partners::Messages answers;
   for (const auto& [from, message] : parts)
   {
-    answers[from] = PackIds(all.Answer(from, all.CountParts(UnpackIds(message))));
+    answers[from] = Pack(all.Answer(from, all.CountParts(Unpack<vtkIdType>(message))));
   }
   return answers;
 }
@@ -256,8 +224,8 @@ Buffer<unsigned char> JoinSides(const FaceSides& sides, const SharedKeys& faces,
   const int first = partners.FindFirst();
   Partners::Messages parts;
   Partners::Messages links;
-  parts[first] = PackIds(DescribeParts(sides, faces));
-  links[first] = PackIds(flat);
+  parts[first] = Pack(DescribeParts(sides, faces));
+  links[first] = Pack(flat);
   partners.Send(parts);
   partners.Send(links);
   Partners::Messages answers;
@@ -266,7 +234,7 @@ Buffer<unsigned char> JoinSides(const FaceSides& sides, const SharedKeys& faces,
     answers = AnswerAll(parts, links, faces.Width);
   }
   partners.Send(answers);
-  const Ids answer = UnpackIds(answers[first]);
+  const Ids answer = Unpack<vtkIdType>(answers[first]);
   Buffer<unsigned char> turned(static_cast<vtkIdType>(faces.Own.size()));
   for (const vtkIdType f : InTurn(turned.size()))
   {

@@ -8,7 +8,7 @@
 
 #include "Core/Operators/FaceSides.h"
 #include "Private/Control/Partners.h"
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Control/SharedDirectory.h"
 #include "Private/Reading/CellsToSimplices.h"
 
 #include <vector>

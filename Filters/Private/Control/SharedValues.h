@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_SharedValues_h
 #define SubdivisionObjects_SharedValues_h
 
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Control/SharedDirectory.h"
 
 #include <map>
 
@@ -18,7 +18,7 @@ namespace subdivision
  * from the first partition that has them as own.
  *
  * All partitions make this, and call its functions, together. A directory finds the owners: three
- * exchanges, 8 Width bytes for each thing. TakeOthers is one exchange.
+ * exchanges, 8 Width + 40 bytes for each thing. TakeOthers is one exchange.
  */
 class SharedValues
 {

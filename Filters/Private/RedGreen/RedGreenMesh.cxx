@@ -290,7 +290,7 @@ RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features
 
 template <typename Id>
 void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& plan, bool isProjected,
-  const WholeSize& whole, vtkUnstructuredGrid* output)
+  const WholeNumbers& whole, vtkUnstructuredGrid* output)
 {
   const vtkIdType leaves = plan.GetNumberOfGreenLeaves();
   vtkNew<vtkIdTypeArray> array;
@@ -308,9 +308,10 @@ void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& pla
   output->GetFieldData()->AddArray(array);
   Stamp stamp;
   stamp.Scheme = StampScheme::RedGreen;
-  stamp.NumberOfControlPoints = whole.Points > 0 ? whole.Points : output->GetNumberOfPoints();
-  stamp.NumberOfPoints = whole.Points;
-  stamp.NumberOfCells = whole.Cells;
+  stamp.NumberOfControlPoints =
+    whole.Points.Total > 0 ? whole.Points.Total : output->GetNumberOfPoints();
+  stamp.NumberOfPoints = whole.Points.Total;
+  stamp.NumberOfCells = whole.Cells.Total;
   stamp.IsProjected = isProjected;
   stamp.TetOrderIsFinal = mesh.TetOrderIsFinal;
   WriteStamp(stamp, output);

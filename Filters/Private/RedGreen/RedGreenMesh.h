@@ -11,6 +11,7 @@
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 #include "Private/Control/ControlMesh.h"
 #include "Private/Control/GreenLeaves.h"
+#include "Private/Control/SharedNumbers.h"
 
 #include <array>
 #include <vector>
@@ -54,23 +55,17 @@ struct RedGreenMesh
   }
 };
 
-struct WholeSize
-{
-  vtkIdType Points = 0;
-  vtkIdType Cells = 0;
-};
-
 /// Reads an input. `scheme` and `trustStamp`: as in ReadControlMesh; `undo`: false if green cells
 /// are to be taken as they are. The warnings of the control mesh have the reason if the green cells
 /// of an earlier filter cannot be undone.
 RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features,
   StampScheme scheme, bool trustStamp, bool undo);
 
-/// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`: how
-/// many points and cells the output has of which this is a part; zeros: it is the whole.
+/// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`:
+/// what the output is of which this is a part; nothing: it is the whole.
 template <typename Id>
 void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& plan, bool isProjected,
-  const WholeSize& whole, vtkUnstructuredGrid* output);
+  const WholeNumbers& whole, vtkUnstructuredGrid* output);
 
 }
 

@@ -9,7 +9,6 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
-#include <map>
 
 namespace subdivision
 {
@@ -33,42 +32,29 @@ RedGreenNormals<Id>::RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh
 }
 
 /// Triangles are known by the cell of which they are a part: their order is that of the whole mesh.
+/// The complex has those of equal vertices once, in the place of the first.
 template <typename Id>
 SharedKeys RedGreenNormals<Id>::MakeTriangleKeys(vtkPointSet* input, const SimplicesOfCells& cells,
   const SimplicialComplex<Id>& complex, Partners& others)
 {
-  std::vector<vtkIdType> parents = cells.ParentCells;
-  for (vtkIdType s = 0; cells.ParentCells.empty() && s < cells.Simplices.GetNumberOfSimplices();
-    ++s)
-  {
-    parents.push_back(s);
-  }
-  const SharedKeys pieces = MakeKeysOfPieces(parents, PlaceCells(input, others), others);
-  std::map<std::array<Id, 3>, std::size_t> simplices; // the first one with these vertices
-  auto sorted = [](const auto* vertices)
-  {
-    std::array<Id, 3> triangle;
-    std::copy_n(vertices, 3, triangle.begin());
-    std::sort(triangle.begin(), triangle.end());
-    return triangle;
-  };
-  const auto* vertices = cells.Simplices.Connectivity.data();
-  for (const std::size_t s : InTurn(cells.Simplices.Dimensions.size()))
-  {
-    if (cells.Simplices.Dimensions[s] == 2)
-    {
-      simplices.emplace(sorted(vertices), s);
-    }
-    vertices += cells.Simplices.Dimensions[s] + 1;
-  }
+  const SharedKeys pieces = MakeKeysOfPieces(cells, PlaceCells(input, others), others);
   SharedKeys keys;
   keys.Width = pieces.Width;
-  for (const vtkIdType face : InTurn(complex.NumberOfTriangleCells))
+  auto key = pieces.Keys.begin();
+  const auto* vertices = cells.Simplices.Connectivity.data();
+  const Id* face = complex.FaceVertices.data();
+  for (const int dimension : InTurn(cells.Simplices.Dimensions))
   {
-    const std::size_t simplex = simplices.at(sorted(complex.FaceVertices.data() + 3 * face));
-    const auto key = pieces.Keys.begin() + static_cast<std::ptrdiff_t>(simplex * keys.Width);
-    keys.Keys.insert(keys.Keys.end(), key, key + keys.Width);
-    keys.Own.push_back(1);
+    if (dimension == 2 &&
+      keys.Own.size() < static_cast<std::size_t>(complex.NumberOfTriangleCells) &&
+      std::is_permutation(face, face + 3, vertices))
+    {
+      keys.Keys.insert(keys.Keys.end(), key, key + pieces.Width);
+      keys.Own.push_back(1);
+      face += 3;
+    }
+    key += pieces.Width;
+    vertices += dimension + 1;
   }
   return keys;
 }

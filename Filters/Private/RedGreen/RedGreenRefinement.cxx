@@ -2,16 +2,18 @@
 #include "Private/RedGreen/RedGreenRun.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Control/MemoryEstimate.h"
+#include "Private/Control/Partners.h"
 #include "Private/Control/SharedInterpolation.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Control/StampFields.h"
 #include "Private/RedGreen/OpenSplits.h"
 #include "Private/RedGreen/RedGreenNormals.h"
-#include "Private/RedGreen/RedGreenNumbers.h"
 #include "Private/RedGreen/RedGreenWriter.h"
 #include "Private/RedGreen/VertexOrigins.h"
 
@@ -215,6 +217,59 @@ void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
 // ------------------------------------------------------------------------------------------------
 // Output
 
+namespace
+{
+
+/// Numbers the vertices that the same number of halvings made, by the numbers of the ends of their
+/// edges. `own`: of each vertex, whether it belongs to an own cell.
+template <typename Id>
+void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
+  const std::vector<char>& own, Partners& partners, WholeIds& points)
+{
+  SharedKeys midpoints;
+  midpoints.Width = 2;
+  for (const Id vertex : InTurn(vertices))
+  {
+    const auto ends = state.GetEnds(vertex);
+    const auto [least, most] = std::minmax(points.Ids[ends[0]], points.Ids[ends[1]]);
+    midpoints.Keys.push_back(std::max<vtkIdType>(least, 0));
+    midpoints.Keys.push_back(std::max<vtkIdType>(most, 0));
+    midpoints.Own.push_back(own[vertex] && least >= 0);
+  }
+  points.Add(midpoints, partners, { vertices.begin(), vertices.end() });
+}
+
+/// Numbers the output of a state whose vertices are sorted; `simplices`: of which each cell is a
+/// part. Those of each number of halvings are numbered after those of less: two exchanges for each,
+/// of 32 bytes for each vertex.
+template <typename Id>
+WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
+  const std::vector<vtkIdType>& simplices, Partners& partners, vtkUnstructuredGrid* output)
+{
+  std::vector<vtkIdType> sources;
+  for (const vtkIdType simplex : InTurn(simplices))
+  {
+    sources.push_back(mesh.GetInputCell(simplex));
+  }
+  const std::vector<vtkIdType> places = PlaceCells(input, partners);
+  WholeNumbers numbers;
+  numbers.Cells = NumberCells(places, sources, partners);
+  const std::vector<char> own = FindOwnPoints(output, sources, partners);
+  numbers.Points = NumberVertices(input->GetNumberOfPoints(), mesh.Control.Cells.GetView(),
+    MakeKeysOfPieces(mesh.Control.Cells, places, partners), partners);
+  numbers.Points.Ids.resize(static_cast<std::size_t>(state.GetNumberOfVertices()), -1);
+  std::vector<std::vector<Id>> added = ListByHalvings(state);
+  const auto halvings = partners.Gather(static_cast<vtkIdType>(added.size()));
+  added.resize(static_cast<std::size_t>(*std::max_element(halvings.begin(), halvings.end())));
+  for (const std::vector<Id>& vertices : added)
+  {
+    NumberMidpoints(vertices, state, own, partners, numbers.Points);
+  }
+  return numbers;
+}
+
+}
+
 template <typename Id>
 bool RedGreenRun::Refine()
 {
@@ -238,11 +293,11 @@ bool RedGreenRun::Refine()
   TellOvershoot(
     *this->Points, this->Options, this->Input, this->Output, this->Options.LimitPlacement);
   RebuildPointGhosts(this->Input, this->Output);
-  WholeSize whole;
+  WholeNumbers whole;
   if (this->Others)
   {
-    whole =
-      AddRedGreenNumbers(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
+    whole = NumberOutput(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
+    whole.Write(this->Output);
   }
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);
   return true;

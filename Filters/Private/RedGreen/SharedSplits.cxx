@@ -3,9 +3,10 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 
 #include <algorithm>
-#include <cstring>
+#include <map>
 
 namespace subdivision
 {
@@ -148,7 +149,7 @@ template <typename Id>
 Partners::Messages SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
 {
   this->NameNew(state);
-  Partners::Messages messages;
+  std::map<int, std::vector<Split>> splits;
   std::vector<int> to;
   this->NextToSend = std::max(this->NextToSend, state.GetNumberOfInputVertices());
   for (; this->NextToSend < state.GetNumberOfVertices(); ++this->NextToSend)
@@ -164,18 +165,14 @@ Partners::Messages SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
           to.insert(to.end(), neighbours.begin(), neighbours.end());
         }
       });
-    std::sort(to.begin(), to.end());
-    to.erase(std::unique(to.begin(), to.end()), to.end());
+    SortDistinct(to);
     const auto ends = state.GetEnds(this->NextToSend);
-    const Split split = { { this->GetName(ends[0]), this->GetName(ends[1]) } };
     for (const int partition : to)
     {
-      std::vector<char>& message = messages[partition];
-      const char* bytes = reinterpret_cast<const char*>(&split);
-      message.insert(message.end(), bytes, bytes + sizeof(Split));
+      splits[partition].push_back({ { this->GetName(ends[0]), this->GetName(ends[1]) } });
     }
   }
-  return messages;
+  return PackAll(splits);
 }
 
 /// Splits the edges that others have split. A sender names the ends of an edge before the edge.
@@ -184,10 +181,8 @@ void SharedSplits<Id>::Receive(const Partners::Messages& messages, RedGreen<Id>&
 {
   for (const auto& [from, message] : messages)
   {
-    for (std::size_t i = 0; i + sizeof(Split) <= message.size(); i += sizeof(Split))
+    for (const Split& split : Unpack<Split>(message))
     {
-      Split split;
-      std::memcpy(static_cast<void*>(&split), message.data() + i, sizeof(Split));
       const Id ends[2] = { this->Find(split.Ends[0]), this->Find(split.Ends[1]) };
       if (ends[0] >= 0 && ends[1] >= 0 && state.SplitEdge(ends[0], ends[1]))
       {

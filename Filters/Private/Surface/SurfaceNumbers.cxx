@@ -4,58 +4,27 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/ArrayNames.h"
 #include "Private/Control/Partners.h"
 #include "Private/Control/SharedSides.h"
-#include "Private/Control/StampFields.h"
-#include "Private/Reading/CellReader.h"
+#include "Private/Reading/UnusedPoints.h"
 
-#include "vtkCellData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 
 namespace subdivision
 {
-namespace
-{
-
 using Kinds = SurfaceSegments;
-
-/// Points that an own cell uses, or no cell at all, are own.
-std::vector<char> FindSurePoints(vtkPolyData* input, const Partners& partners)
-{
-  std::vector<char> sure = FindOwnPoints(input, {}, partners);
-  const CellReader cells(input);
-  std::vector<char> used(sure.size(), 0);
-  std::vector<vtkIdType> scratch;
-  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
-  {
-    const CellIds cell = cells.GetCell(c, scratch);
-    for (vtkIdType i = 0; i < cell.Size; ++i)
-    {
-      if (cell.Ids[i] >= 0 && cell.Ids[i] < input->GetNumberOfPoints())
-      {
-        used[cell.Ids[i]] = 1;
-      }
-    }
-  }
-  for (const size_t i : InTurn(sure.size()))
-  {
-    sure[i] |= !used[i];
-  }
-  return sure;
-}
-
-}
 
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners)
 {
   SharedKeys vertices;
   vertices.Keys = partners.GetPointIds();
-  vertices.Own = FindSurePoints(input, partners);
+  vertices.Own = FindOwnPoints(input, {}, partners);
+  for (const vtkIdType unused : FindUnusedPoints(input))
+  {
+    vertices.Own[unused] = 1;
+  }
   return vertices;
 }
 
@@ -135,12 +104,6 @@ SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
   numbers.Cells = std::move(found[1]);
   numbers.NumberOfControlPoints = things[Kinds::Vertex].Totals[0];
   return numbers;
-}
-
-void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output)
-{
-  output->GetPointData()->AddArray(MakeField<vtkIdTypeArray>(PointNumbersName, numbers.Points.Ids));
-  output->GetCellData()->AddArray(MakeField<vtkIdTypeArray>(CellNumbersName, numbers.Cells.Ids));
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);

@@ -22,10 +22,8 @@ constexpr int NumberOfControlKinds = VertexCellKind + 1;
 /// The control parts of each kind as keys; edges get theirs from their vertices (MakeEdgeKeys).
 using ControlKeys = std::array<SharedKeys, NumberOfControlKinds>;
 
-struct SurfaceNumbers
+struct SurfaceNumbers : WholeNumbers
 {
-  WholeIds Points; ///< -1 far from own cells
-  WholeIds Cells;
   vtkIdType NumberOfControlPoints = 0; ///< of the whole
 };
 
@@ -51,16 +49,13 @@ template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
   const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners);
 
-/// The points of the input as keys, by their ids: sure are points of own cells.
+/// The points of the input as keys, by their ids: sure are points of own cells and of none.
 SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
 /// Edges as keys, by the numbers of their vertices, in whose order they are: sure are edges of own
 /// faces and lines.
 template <typename Id>
 SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces,
   const SharedKeys& lines, const SharedNumbers& vertices);
-
-/// Adds the numbers as arrays to an output.
-void WriteNumbers(const SurfaceNumbers& numbers, vtkPolyData* output);
 
 }
 

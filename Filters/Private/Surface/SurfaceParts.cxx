@@ -96,7 +96,7 @@ void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
     const SurfaceNumbers numbers =
       NumberSurface(MakeControlKeys(this->Input, this->GetControl(), others),
         this->Steps->GetLevel(0), this->Steps->ListSegments(), others);
-    WriteNumbers(numbers, this->Output);
+    numbers.Write(this->Output);
     stamp.NumberOfControlPoints = numbers.NumberOfControlPoints;
     stamp.NumberOfPoints = numbers.Points.Total;
     stamp.NumberOfCells = numbers.Cells.Total;

@@ -4,13 +4,13 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/Links.h"
+#include "Private/Control/SharedDirectory.h"
 
 #include <algorithm>
-#include <cstring>
+#include <array>
 #include <map>
 #include <numeric>
 #include <set>
-#include <tuple>
 
 namespace subdivision
 {
@@ -47,47 +47,8 @@ private:
   Buffer<vtkIdType> Parents;
 };
 
-/// A component of C_k at a vertex.
-struct Place
-{
-  vtkIdType Point;
-  vtkIdType Component;
-  vtkIdType Dimension;
-};
-
-/// Two components of C_k that are one.
-struct Link
-{
-  vtkIdType Dimension;
-  std::pair<vtkIdType, vtkIdType> Ends[2]; ///< partition, component
-
-  bool operator<(const Link& other) const
-  {
-    return std::tie(this->Dimension, this->Ends[0], this->Ends[1]) <
-      std::tie(other.Dimension, other.Ends[0], other.Ends[1]);
-  }
-};
-
-template <typename T>
-void Append(const T& record, std::vector<char>& message)
-{
-  const char* bytes = reinterpret_cast<const char*>(&record);
-  message.insert(message.end(), bytes, bytes + sizeof(T));
-}
-
-template <typename T, typename Use>
-void ForRecords(const Partners::Messages& messages, const Use& use)
-{
-  for (const auto& [from, message] : messages)
-  {
-    for (std::size_t i = 0; i + sizeof(T) <= message.size(); i += sizeof(T))
-    {
-      T record;
-      std::memcpy(static_cast<void*>(&record), message.data() + i, sizeof(T));
-      use(from, record);
-    }
-  }
-}
+/// Two components of C_k that are one: k, then the partition and the number there of both.
+using Link = std::array<vtkIdType, 5>;
 
 /// Finds the component of C_k of each vertex with own edges in it, -1 for others. Returns how many
 /// there are.
@@ -119,38 +80,34 @@ vtkIdType FindOwnComponents(const SimplicialComplex<Id>& complex,
   return size;
 }
 
-/// The links between own components and components of others, for the first partition.
+/// The links between components at the vertices that this partition keeps.
 std::set<Link> FindLinks(
   const OwnSimplices& own, const Buffer<vtkIdType> components[4], Partners& partners)
 {
   const std::vector<vtkIdType>& ids = partners.GetPointIds();
-  Partners::Messages messages;
-  for (const auto& [partition, vertex] : own.Holders)
+  SharedKeys places;
+  places.Width = 2;
+  std::vector<vtkIdType> told;
+  for (const vtkIdType vertex : InTurn(own.Shared))
   {
     for (int k = 1; k <= 3; ++k)
     {
       if (components[k][vertex] >= 0)
       {
-        Append(Place{ ids[vertex], components[k][vertex], k }, messages[partition]);
+        places.Keys.insert(places.Keys.end(), { ids[vertex], k });
+        told.push_back(components[k][vertex]);
       }
     }
   }
+  places.Own.assign(told.size(), 1);
   std::set<Link> links;
-  if (!partners.Send(messages))
-  {
-    return links;
-  }
-  ForRecords<Place>(messages,
-    [&](int from, const Place& place)
+  SharedDirectory directory(places, 1, told, 0, partners);
+  directory.ForThings(
+    [&links](auto first, auto last)
     {
-      const auto found = std::lower_bound(ids.begin(), ids.end(), place.Point);
-      const vtkIdType component = found != ids.end() && *found == place.Point
-        ? components[place.Dimension][found - ids.begin()]
-        : -1;
-      if (component >= 0)
+      for (auto other = first + 1; other != last; ++other)
       {
-        links.insert({ place.Dimension,
-          { { partners.GetPartition(), component }, { from, place.Component } } });
+        links.insert({ first->Key[1], first->From, *first->Told, other->From, *other->Told });
       }
     });
   return links;
@@ -161,36 +118,24 @@ std::set<Link> FindLinks(
 void CountJoined(const std::set<Link>& links, Partners& partners, vtkIdType joined[4])
 {
   Partners::Messages messages;
-  const int first = partners.FindFirst();
-  for (const Link& link : links)
-  {
-    Append(link, messages[first]);
-  }
-  if (!partners.Send(messages))
-  {
-    return;
-  }
+  messages[partners.FindFirst()] = Pack(std::vector<Link>(links.begin(), links.end()));
+  partners.Send(messages);
   std::vector<Link> all;
-  std::map<std::tuple<vtkIdType, vtkIdType, vtkIdType>, vtkIdType> nodes;
-  const auto find = [&](const Link& link, int end)
+  for (const auto& [from, message] : messages)
   {
-    const auto [partition, component] = link.Ends[end];
-    return nodes
-      .emplace(
-        std::make_tuple(link.Dimension, partition, component), static_cast<vtkIdType>(nodes.size()))
-      .first->second;
+    const std::vector<Link> some = Unpack<Link>(message);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::map<std::array<vtkIdType, 3>, vtkIdType> nodes;
+  const auto find = [&nodes](vtkIdType k, vtkIdType partition, vtkIdType component)
+  {
+    const std::array<vtkIdType, 3> node{ k, partition, component };
+    return nodes.emplace(node, static_cast<vtkIdType>(nodes.size())).first->second;
   };
-  ForRecords<Link>(messages,
-    [&](int, const Link& link)
-    {
-      all.push_back(link);
-      find(link, 0);
-      find(link, 1);
-    });
-  Joins joins(static_cast<vtkIdType>(nodes.size()));
-  for (const Link& link : all)
+  Joins joins(2 * static_cast<vtkIdType>(all.size()));
+  for (const auto& [k, partition, component, other, componentThere] : all)
   {
-    joined[link.Dimension] += joins.Join(find(link, 0), find(link, 1)) ? 1 : 0;
+    joined[k] += joins.Join(find(k, partition, component), find(k, other, componentThere)) ? 1 : 0;
   }
 }
 

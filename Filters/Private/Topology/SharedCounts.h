@@ -9,7 +9,6 @@
 #include "Core/Solids/Strata/ComplexDescription.h"
 #include "Private/Control/Partners.h"
 
-#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -27,15 +26,15 @@ struct OwnSimplices
   /// Of each vertex, edge, face and tetrahedron: 1 if the first cell that it lies on is own. So
   /// each simplex counts in one partition.
   Buffer<unsigned char> Flags[4];
-  /// The vertices of own cells that other partitions have cells at, with these partitions.
-  std::vector<std::pair<int, vtkIdType>> Holders;
+  /// Vertices of own cells, those among them that other partitions have cells at: ascending.
+  std::vector<vtkIdType> Shared;
 };
 
 /**
- * The numbers of the whole complex. Each partition finds the components of its own edges;
- * components of two partitions that share a vertex are one. Partitions tell each other which
- * components they have at shared vertices, and the first one tells which of them are one. This
- * takes two exchanges, and 40 bytes for each two components that meet at a border.
+ * The numbers of the whole complex. Each partition finds the components of its own edges; those of
+ * two partitions that share a vertex are one. Whoever keeps the vertex learns which these are, and
+ * tells the first partition: two exchanges, 32 bytes for each component at a shared vertex, and 40
+ * for each two components that meet at the border of two partitions.
  */
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Topology/TopologyProbe.h"
 
+#include "Core/Memory/Sorting.h"
 #include "Core/Solids/BoxSpline/BoxSplineScheme.h"
 #include "Core/Solids/Strata/ComplexDescription.h"
 #include "Private/ArrayNames.h"
@@ -8,9 +9,10 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Control/SizeChecks.h"
+#include "Private/Reading/CellReader.h"
 #include "Private/Topology/SharedCounts.h"
-#include "Private/Topology/TopologyNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -480,16 +482,13 @@ ComplexNumbers Probe::Count(
   this->VisitCells(control,
     [&](vtkIdType cell, int dimension, vtkIdType vertex)
     {
-      if (dimension == 0 && vertex < this->Input->GetNumberOfPoints() && this->Others->IsOwn(cell))
+      if (dimension == 0 && vertex < this->Input->GetNumberOfPoints() &&
+        this->Others->IsOwn(cell) && !this->Others->GetNeighbours(cell).empty())
       {
-        for (const int partition : this->Others->GetNeighbours(cell))
-        {
-          own.Holders.emplace_back(partition, vertex);
-        }
+        own.Shared.push_back(vertex);
       }
     });
-  std::sort(own.Holders.begin(), own.Holders.end());
-  own.Holders.erase(std::unique(own.Holders.begin(), own.Holders.end()), own.Holders.end());
+  SortDistinct(own.Shared);
   return CountTogether(control.Current.Complex, description, own, *this->Others);
 }
 
@@ -515,17 +514,56 @@ void Probe::AddNumbers(const ComplexNumbers& numbers)
   add("ManifoldComponents", numbers.Components, 4);
 }
 
-/// Adds the numbers that points and cells have in the output of the whole mesh, if this is a part.
+/// The points of some cells as keys.
+SharedKeys MakeKeys(const CellReader& reader, const std::vector<vtkIdType>& cells, int width,
+  const std::vector<vtkIdType>& points)
+{
+  SharedKeys keys;
+  keys.Width = width;
+  keys.Own.assign(cells.size(), 1);
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(cells))
+  {
+    const CellIds cell = reader.GetCell(c, scratch);
+    for (int k = 0; k < width; ++k)
+    {
+      keys.Keys.push_back(points[cell.Ids[k]]);
+    }
+    std::sort(keys.Keys.end() - width, keys.Keys.end());
+  }
+  return keys;
+}
+
+/// Adds the numbers that points and own cells have in the output of the whole mesh, if this is a
+/// part: that has the cells of each kind in the order of the numbers of their points. Ten
+/// exchanges.
 void Probe::AddIds()
 {
   if (!this->Others || !this->Options.GenerateGlobalIds)
   {
     return;
   }
+  const CellReader reader(this->Output);
   vtkDataArray* blocks = this->Output->GetCellData()->GetArray(BlockName);
-  AddTopologyNumbers(
-    this->Input, this->Mesh, [blocks](vtkIdType c) { return blocks->GetTuple1(c) != NoBlock; },
-    *this->Others, this->Output);
+  std::vector<vtkIdType> own[3];
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
+  {
+    if (blocks->GetTuple1(c) != NoBlock)
+    {
+      own[reader.GetCell(c, scratch).Size - 1].push_back(c);
+    }
+  }
+  const SimplicesOfCells& cells = this->Mesh.Cells;
+  WholeNumbers numbers;
+  numbers.Points = NumberVertices(this->Input->GetNumberOfPoints(), cells.GetView(),
+    MakeKeysOfPieces(cells, PlaceCells(this->Input, *this->Others), *this->Others), *this->Others);
+  numbers.Cells.Ids.assign(static_cast<std::size_t>(reader.GetNumberOfCells()), -1);
+  for (int i = 0; i < 3; ++i)
+  {
+    numbers.Cells.Add(MakeKeys(reader, own[i], i + 1, numbers.Points.Ids), *this->Others, own[i]);
+  }
+  numbers.Write(this->Output);
 }
 
 }

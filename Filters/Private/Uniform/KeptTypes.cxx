@@ -8,10 +8,11 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Control/Partners.h"
+#include "Private/Control/SharedNumbers.h"
 #include "Private/Control/SizeChecks.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
-#include "Private/Uniform/KeptNumbers.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -290,6 +291,61 @@ void WriteCellData(vtkPointSet* input, const std::vector<vtkIdType>& sources,
   RemoveStamp(output->GetFieldData());
 }
 
+/// Finds which points of a step are corners of children of own input cells.
+std::vector<char> FindOwnPoints(
+  const RedStep& step, const std::vector<vtkIdType>& sources, const Partners& partners)
+{
+  std::vector<char> own(static_cast<std::size_t>(step.Rows.Offsets.size()) - 1, 0);
+  const long long* corner = step.Children.Corners.data();
+  for (std::size_t c = 0; c < step.Children.Shapes.size(); ++c)
+  {
+    const bool isOwn = partners.IsOwn(sources[static_cast<std::size_t>(step.Parents[c])]);
+    const long long* last = corner + GetNumberOfCorners(step.Children.Shapes[c]);
+    for (; corner != last; ++corner)
+    {
+      own[static_cast<std::size_t>(*corner)] |= isOwn ? 1 : 0;
+    }
+  }
+  return own;
+}
+
+/// Numbers the points that a step adds: the middles of edges, then those of quads, by the numbers
+/// of the corners, then those of hexahedra, by their input cell and which of its hexahedra they are
+/// in. Six exchanges. `places`: PlaceCells.
+void NumberPoints(const RedStep& step, const KeptCells& before,
+  const std::vector<vtkIdType>& places, Partners& partners, WholeIds& points)
+{
+  const std::vector<char> own = FindOwnPoints(step, before.Sources, partners);
+  const auto& offsets = step.Rows.Offsets;
+  auto row = static_cast<vtkIdType>(points.Ids.size());
+  for (const int corners : { 2, 4 })
+  {
+    SharedKeys means;
+    means.Width = corners;
+    std::vector<vtkIdType> key(static_cast<std::size_t>(corners));
+    for (; row + 1 < offsets.size() && offsets[row + 1] - offsets[row] == corners; ++row)
+    {
+      const long long* columns = step.Rows.Columns.data() + offsets[row];
+      std::transform(columns, columns + corners, key.begin(),
+        [&points](long long point) { return points.Ids[static_cast<std::size_t>(point)]; });
+      std::sort(key.begin(), key.end());
+      means.Own.push_back(own[static_cast<std::size_t>(row)] && key[0] >= 0);
+      std::replace(key.begin(), key.end(), vtkIdType(-1), vtkIdType(0));
+      means.Keys.insert(means.Keys.end(), key.begin(), key.end());
+    }
+    points.Add(means, partners);
+  }
+  std::vector<vtkIdType> hexes;
+  for (std::size_t c = 0; c < before.Cells.Shapes.size(); ++c)
+  {
+    if (before.Cells.Shapes[c] == CellShape::Hex)
+    {
+      hexes.push_back(before.Sources[c]);
+    }
+  }
+  points.Add(MakeKeysOfPieces(hexes, places, partners), partners);
+}
+
 }
 
 bool RefineKeepingTypes(
@@ -309,7 +365,12 @@ bool RefineKeepingTypes(
   const std::vector<vtkIdType> ids = ReadIdsOf(input->GetPointData(), input->GetNumberOfPoints());
   const auto points = MakePoints(input, noCentres, ids, options);
   Partners* others = options.GenerateGlobalIds ? FindPartners(options, input) : nullptr;
-  const auto numbers = others ? std::make_unique<KeptNumbers>(input, *others) : nullptr;
+  const auto places = others ? PlaceCells(input, *others) : std::vector<vtkIdType>();
+  WholeNumbers numbers;
+  if (others)
+  {
+    numbers.Points = NumberPoints(input->GetNumberOfPoints(), *others);
+  }
   for (int level = 0; level < options.Levels; ++level)
   {
     if (options.Progress && options.Progress(level / (options.Levels + 1.)))
@@ -318,9 +379,9 @@ bool RefineKeepingTypes(
     }
     OrderTetsOf(kept.Cells, points->GetCoordinates(), level == 0 ? ids : std::vector<vtkIdType>());
     RedStep step = RefineRed(kept.Cells);
-    if (numbers)
+    if (others)
     {
-      numbers->Add(step, kept.Cells, kept.Sources);
+      NumberPoints(step, kept, places, *others, numbers.Points);
     }
     points->Advance(step.Rows,
       [&](vtkIdType row)
@@ -340,9 +401,10 @@ bool RefineKeepingTypes(
   points->Finish(output);
   WriteCells(kept.Cells, options.Use32BitIds, output);
   WriteCellData(input, kept.Sources, options, output);
-  if (numbers)
+  if (others)
   {
-    numbers->Write(kept.Sources, output);
+    numbers.Cells = NumberCells(places, kept.Sources, *others);
+    numbers.Write(output);
   }
   return true;
 }

@@ -46,10 +46,10 @@ public:
   }
   ControlNumbers Number(vtkPointSet* input, int steps)
   {
-    SharedNumbers vertices = NumberVertices(
+    WholeIds vertices = NumberVertices(
       input->GetNumberOfPoints(), SimplexView(this->Control), this->Pieces, this->With);
-    this->Made.Numbers[0] = std::move(vertices.First);
-    this->Made.Totals[0] = vertices.Totals[0];
+    this->Made.Numbers[0] = std::move(vertices.Ids);
+    this->Made.Totals[0] = vertices.Total;
     this->NumberSimplices(steps);
     this->NumberFaces();
     this->Made.Parts = this->FindParts(this->Wanted.Flags);

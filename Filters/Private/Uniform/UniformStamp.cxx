@@ -67,28 +67,25 @@ void UniformRun::CountInWhole(Stamp& stamp, StampedIds& ids)
   stamp.NumberOfCells = control.NumberOfCells;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    std::vector<vtkIdType> own;
     const std::vector<char>& isOwn = control.IsOwnDerived[dimension];
-    std::vector<double> sharpness; // of own simplices
-    const std::vector<double>& all = ids.Singular.Sharpness[dimension];
-    for (std::size_t i = 0; i < all.size(); ++i)
+    const auto keepOwn = [&isOwn](auto& values)
     {
-      if (isOwn[i * isOwn.size() / all.size()])
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < values.size(); ++i)
       {
-        sharpness.push_back(all[i]);
+        if (isOwn[i * isOwn.size() / values.size()])
+        {
+          values[kept++] = values[i];
+        }
       }
-    }
-    ids.Singular.Sharpness[dimension] = std::move(sharpness);
-    const std::vector<vtkIdType>& tuples = ids.Singular.Tuples.Tuples[dimension];
-    const std::size_t ofEach = isOwn.empty() ? 1 : tuples.size() / isOwn.size();
-    for (std::size_t i = 0; i < tuples.size(); ++i)
+      values.resize(kept);
+    };
+    keepOwn(ids.Singular.Sharpness[dimension]);
+    keepOwn(ids.Singular.Tuples.Tuples[dimension]);
+    for (vtkIdType& point : ids.Singular.Tuples.Tuples[dimension])
     {
-      if (isOwn[i / ofEach])
-      {
-        own.push_back(numbers.Points->GetValue(tuples[i]));
-      }
+      point = numbers.Points->GetValue(point);
     }
-    ids.Singular.Tuples.Tuples[dimension] = std::move(own);
   }
   for (const vtkIdType simplex : ids.Inverted)
   {
