@@ -3,6 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 
+#include <algorithm>
+
 namespace subdivision
 {
 
@@ -45,19 +47,27 @@ template <typename Id>
 LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
   const Buffer<unsigned char>& wanted, const ControlSolids* solids, bool isCurvedOnly) const
 {
-  const auto* boxSpline = std::get_if<Level<Id>>(&this->Control);
-  if (boxSpline && !solids && !isCurvedOnly && this->Creases.Stages.empty() &&
-    LocalLimit<Id>::IsLatticeFaster(boxSpline->Complex, midpoints))
+  const auto makeOnLevels = [&](const Buffer<unsigned char>& ofThese)
   {
-    auto found = LocalLimit<Id>::MakeOnLattice(*boxSpline, midpoints, wanted);
-    if (found)
-    {
-      return std::move(*found);
-    }
+    return std::visit(
+      [&](const auto& control)
+      {
+        return LocalLimit<Id>(control, this->Creases, midpoints, ofThese, 1, solids, isCurvedOnly);
+      },
+      this->Control);
+  };
+  const auto* boxSpline = std::get_if<Level<Id>>(&this->Control);
+  if (!boxSpline || solids)
+  {
+    return makeOnLevels(wanted);
   }
-  return std::visit([&](const auto& control)
-    { return LocalLimit<Id>(control, this->Creases, midpoints, wanted, 1, solids, isCurvedOnly); },
-    this->Control);
+  Buffer<unsigned char> others;
+  auto limit = LocalLimit<Id>::MakeOnLattice(*boxSpline, this->Creases, midpoints, wanted, others);
+  if (std::find(others.begin(), others.end(), 1) != others.end())
+  {
+    limit.Append(makeOnLevels(others));
+  }
+  return limit;
 }
 
 template <typename Id>

@@ -550,6 +550,78 @@ bool BoxSplineLattice<Id>::SolveLimit(
   return isRead && SolveLatticeLimit(*this, items, next, weights);
 }
 
+/// Sets the key to what the weights of a limit depend on, and the order of its ring. All tetrahedra
+/// are alike.
+template <typename Id>
+void BoxSplineLattice<Id>::SetKey(const LatticeVertex<Id>& vertex)
+{
+  this->Key = { vertex.Dimension };
+  const Id simplex = vertex.Simplex;
+  if (vertex.Dimension == 0)
+  {
+    AppendId(simplex, this->Key);
+  }
+  else if (vertex.Dimension == 1)
+  {
+    this->AppendEdge(simplex);
+  }
+  else if (vertex.Dimension == 2)
+  {
+    this->AppendRule(this->Strata.Faces, 2, simplex);
+    for (const Id tet : this->Complex.FaceTets[simplex])
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Key.push_back(this->Complex.VertexInTet(tet, this->GetCorners(2, simplex)[k]));
+      }
+    }
+  }
+}
+
+template <typename Id>
+void BoxSplineLattice<Id>::AppendRule(const Buffer<Stratum>& strata, int dimension, Id simplex)
+{
+  this->Key.push_back(
+    2 * static_cast<int>(strata[simplex].GetRule()) + (this->IsSharp(dimension, simplex) ? 1 : 0));
+}
+
+/// The faces around an edge, and of each tetrahedron at them which edge it marks, and whether its
+/// diagonal comes behind the face.
+template <typename Id>
+void BoxSplineLattice<Id>::AppendEdge(Id edge)
+{
+  this->AppendRule(this->Strata.Edges, 1, edge);
+  const Id* ends = this->GetCorners(1, edge);
+  this->Tets.clear();
+  for (const Id face : this->Strata.EdgeRings.GetCarriers(edge))
+  {
+    if (face < 0)
+    {
+      this->Key.push_back(-1);
+      continue;
+    }
+    this->AppendRule(this->Strata.Faces, 2, face);
+    const int places[2] = { this->Complex.VertexInFace(face, ends[0]),
+      this->Complex.VertexInFace(face, ends[1]) };
+    this->Key.push_back(places[0] < places[1] ? 1 : 0);
+    for (const Id tet : this->Complex.FaceTets[face])
+    {
+      const auto found = std::find(this->Tets.begin(), this->Tets.end(), tet);
+      const auto number = static_cast<int>(found - this->Tets.begin());
+      found == this->Tets.end() ? this->Tets.push_back(tet) : void();
+      const int apex = this->Complex.FaceInTet(tet, face);
+      const int first = this->Complex.VertexInTet(tet, ends[0]);
+      const int second = this->Complex.VertexInTet(tet, ends[1]);
+      const int partner = GetPartner(first);
+      const int diagonal = apex < 6 - first - second - apex ? 3 : 2;
+      this->Key.push_back(-2 - 4 * number -
+        (partner == second    ? diagonal
+            : partner == apex ? 1
+                              : 0));
+    }
+  }
+}
+
 template <typename Id>
 bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
@@ -558,13 +630,20 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
   {
     return false; // its limit is not that of others on the edge
   }
+  static const std::vector<double> ofCurves{ 2. / 3., 1. / 6., 1. / 6. };
   static const std::vector<double> ofSurfaces{ 1. / 2., 1. / 12., 1. / 12., 1. / 12., 1. / 12.,
     1. / 12., 1. / 12. };
-  const std::vector<double>* weights =
-    this->IsBlendWanted && vertex.Dimension > 0 && this->GetRule(vertex) == Rule::Surface
-    ? &ofSurfaces
-    : this->Limits.Find(
-        vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+  const Rule rule = this->GetRule(vertex);
+  const bool isFixed = this->IsBlendWanted && vertex.Dimension > 0;
+  const std::vector<double>* weights = isFixed && rule == Rule::Curve ? &ofCurves
+    : isFixed && rule == Rule::Surface                                ? &ofSurfaces
+                                                                      : nullptr;
+  if (!weights)
+  {
+    this->SetKey(vertex);
+    weights = this->Limits.Find(
+      this->Key, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+  }
   if (!weights)
   {
     return false;

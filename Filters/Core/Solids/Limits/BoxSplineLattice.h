@@ -11,6 +11,7 @@
 #ifndef SubdivisionObjects_BoxSplineLattice_h
 #define SubdivisionObjects_BoxSplineLattice_h
 
+#include "Core/Solids/Limits/LimitRowMaker.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/VertexRow.h"
 #include "Core/Solids/Scheme/Level.h"
@@ -57,29 +58,34 @@ struct LatticeVertex
 template <typename Id>
 using LatticeRow = VertexRow<LatticeVertex<Id>>;
 
-/// The weights of limits: all vertices in a simplex have the same, and all inside solids.
-template <typename Id>
+/// The weights of limits, which equal neighbourhoods share.
 class LatticeLimits
 {
 public:
   /// solve(weights) finds those that are not known yet; null where it returns false.
   template <typename Solve>
-  const std::vector<double>* Find(const LatticeVertex<Id>& vertex, const Solve& solve)
+  const std::vector<double>* Find(const Neighbourhood& key, const Solve& solve)
   {
     constexpr std::size_t most = 4096; // bounds the memory
     if (this->Weights.size() > most)
     {
       this->Weights.clear();
     }
-    const auto simplex = static_cast<std::uint64_t>(vertex.Dimension == 3 ? 0 : vertex.Simplex);
-    std::vector<double>& weights =
-      this->Weights[4 * simplex + static_cast<std::uint64_t>(vertex.Dimension)];
+    std::vector<double>& weights = this->Weights[key];
     return !weights.empty() || solve(weights) ? &weights : nullptr;
   }
 
 private:
-  std::unordered_map<std::uint64_t, std::vector<double>> Weights;
+  std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Weights;
 };
+
+/// Appends a number that need not fit into an int.
+template <typename Id>
+void AppendId(Id id, Neighbourhood& key)
+{
+  const auto number = static_cast<std::uint64_t>(id);
+  key.insert(key.end(), { static_cast<int>(number), static_cast<int>(number >> 32) });
+}
 
 /// The control vertices, edges and faces of which rows depend on what is semi-sharp, on any level.
 template <typename Id>
@@ -167,13 +173,19 @@ private:
     LatticeRow<Id>& row, Rule& rule) const;
   void AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
     LatticeRow<Id>& row, Rule& rule) const;
+  void SetKey(const LatticeVertex<Id>& vertex);
+  void AppendRule(const Buffer<Stratum>& strata, int dimension, Id simplex);
+  void AppendEdge(Id edge);
   bool SolveLimit(const LatticeVertex<Id>& vertex, std::vector<double>& weights) const;
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   const SharpSimplices<Id>& Sharp;
   const bool IsBlendWanted;
-  LatticeLimits<Id> Limits;
+  LatticeLimits Limits;
+  // Of the limit that is looked for:
+  Neighbourhood Key;
+  std::vector<Id> Tets;
 };
 
 }

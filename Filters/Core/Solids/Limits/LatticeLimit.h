@@ -11,6 +11,7 @@
 #include "Core/Solids/Limits/LimitRowMaker.h"
 #include "Core/Solids/Limits/VertexNumbers.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -21,13 +22,23 @@ namespace subdivision
 /// The rows of a neighbourhood as SolveLimit reads them.
 struct SolvedRows
 {
-  std::vector<std::vector<std::pair<int, double>>> Rows;
+  std::vector<std::size_t> Offsets{ 0 };
+  std::vector<std::pair<int, double>> Entries;
+
+  /// Ends a row, of which the order does not depend on how it was read.
+  void EndRow()
+  {
+    std::sort(this->Entries.begin() + static_cast<std::ptrdiff_t>(this->Offsets.back()),
+      this->Entries.end());
+    this->Offsets.push_back(this->Entries.size());
+  }
   template <typename Add>
   void Weigh(const int*&, int item, const Add& add) const
   {
-    for (const auto& [column, weight] : this->Rows[static_cast<std::size_t>(item)])
+    const std::size_t* row = this->Offsets.data() + item;
+    for (std::size_t k = row[0]; k < row[1]; ++k)
     {
-      add(column, weight);
+      add(this->Entries[k].first, this->Entries[k].second);
     }
   }
 };
@@ -55,7 +66,6 @@ bool SolveLatticeLimit(Lattice& lattice, const std::vector<LatticeVertex<Id>>& i
     {
       return false;
     }
-    solved.Rows.emplace_back();
     for (std::size_t k = 0; k < row.Vertices.size(); ++k)
     {
       const std::ptrdiff_t number = known.Find(row.Vertices[k]);
@@ -63,8 +73,9 @@ bool SolveLatticeLimit(Lattice& lattice, const std::vector<LatticeVertex<Id>>& i
       {
         return false;
       }
-      solved.Rows.back().emplace_back(places[static_cast<std::size_t>(number)], row.Weights[k]);
+      solved.Entries.emplace_back(places[static_cast<std::size_t>(number)], row.Weights[k]);
     }
+    solved.EndRow();
   }
   weights = SolveLimit(solved, Neighbourhood(), items.size());
   return true;

@@ -429,6 +429,7 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     {
       renumber(steps[l + 1].Rows);
     }
+    steps[l].IsFirst = l == 0;
     steps[l].Rows = l == 0 ? MakeCopies(kept.Old) : MakeRows(traces[l], kept.Old);
     // Final for level 0; renumber() sets it for the others in the next pass.
     steps[l].Rows.NumberOfColumns = columns;

@@ -21,7 +21,6 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
 namespace subdivision
@@ -51,19 +50,18 @@ public:
     const ControlSolids* solids = nullptr, bool isCurvedOnly = false);
 
   /**
-   * The same by the box-spline scheme without making levels: rows follow from where vertices lie,
-   * and have the members, the order and the weights that they have on levels (LatticeRings.h), so
-   * that results have the same bits. Nothing is semi-sharp, and there are no normals. Midpoints are
-   * those of edges; this is not checked. Empty where a rule is not known, or ends lie in no
-   * simplex.
+   * The same by the box-spline scheme without making levels: rows follow from where vertices lie
+   * (BoxSplineLattice.h). There are no normals. Midpoints are those of edges; this is not checked.
+   * `others` receives flags of wanted vertices whose limits are not found so, because a rule on
+   * which they depend is unknown, or ends lie in no simplex. Which these are depends on what is
+   * around a vertex alone (but where HasSharpSectors: then all are), so that parts of a mesh have
+   * the bits of the whole one.
    */
-  static std::optional<LocalLimit> MakeOnLattice(const Level<Id>& control,
-    const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
-  /// Whether that takes less time than levels. It does not where most of the mesh is curves and
-  /// surfaces, nor where few levels split much of it: on the lattice each control edge and face
-  /// has rings of its own, which cost several times as much as a vertex of a level.
-  static bool IsLatticeFaster(
-    const SimplicialComplex<Id>& control, const std::vector<std::array<Id, 2>>& midpoints);
+  static LocalLimit MakeOnLattice(const Level<Id>& control, const SemiSharpStages<Id>& creases,
+    const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
+    Buffer<unsigned char>& others);
+  /// Adds limits of other vertices of the same mesh.
+  void Append(LocalLimit&& others);
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
@@ -100,7 +98,8 @@ private:
   /// One step, and the limits of the wanted vertices that first exist on its level.
   struct Step
   {
-    SparseRows<Id> Rows;   ///< from values of the step before; in the first step copies
+    bool IsFirst = false;  ///< Rows copy control values
+    SparseRows<Id> Rows;   ///< from values of the step before, or copies
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
     LimitTangents<Id> Tangents; ///< of the same vertices, from this step's values

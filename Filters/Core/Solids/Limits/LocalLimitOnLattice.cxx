@@ -5,11 +5,15 @@
 #include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/LatticePlaces.h"
-#include "Core/Solids/Limits/LatticeRings.h"
+#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/VertexNumbers.h"
 
+#include "vtkSMPThreadLocal.h"
+
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace subdivision
@@ -45,6 +49,26 @@ private:
   GrowingBuffer<double> Weights;
 };
 
+/// Flags the rows that depend on a rule that is not known: they are empty, or have a column that is
+/// flagged in `before`.
+template <typename Id>
+Buffer<unsigned char> FlagUnknown(const SparseRows<Id>& rows, const Buffer<unsigned char>& before)
+{
+  Buffer<unsigned char> flags(rows.GetNumberOfRows());
+  ForEach(flags.size(),
+    [&](vtkIdType i)
+    {
+      const Id* columns = rows.Columns.data();
+      const Id begin = rows.Offsets[i];
+      const Id end = rows.Offsets[i + 1];
+      flags[i] = begin == end ||
+          std::any_of(columns + begin, columns + end, [&](Id k) { return before[k] != 0; })
+        ? 1
+        : 0;
+    });
+  return flags;
+}
+
 }
 
 /// Goes from the finest level back to the control level, and numbers on each what the rows read.
@@ -52,15 +76,16 @@ template <typename Id>
 class LocalLimit<Id>::LatticeBuilder
 {
 public:
-  LatticeBuilder(const Level<Id>& control, const LatticePlaces<Id>& places)
+  LatticeBuilder(
+    const Level<Id>& control, const SemiSharpStages<Id>& creases, const LatticePlaces<Id>& places)
     : Control(control)
+    , Creases(creases)
     , Places(places)
-    , Lattice(control)
+    , Sharp(FindSharpSimplices(control.Complex, creases))
   {
   }
 
-  /// False: a rule is not known.
-  bool Build(const Buffer<unsigned char>& wanted, std::vector<Step>& steps)
+  void Build(const Buffer<unsigned char>& wanted, std::vector<Step>& steps)
   {
     std::vector<std::vector<Id>> onLevel(1);
     for (const Id v : InTurn(this->Places.GetNumberOfVertices()))
@@ -73,65 +98,106 @@ public:
       }
     }
     steps.resize(onLevel.size());
-    bool isKnown = true;
-    for (std::size_t level = onLevel.size(); isKnown && level-- > 1;)
+    for (std::size_t level = onLevel.size(); level-- > 1;)
     {
-      isKnown = this->MakeLimits(onLevel[level], steps[level]) && this->MakeRows(steps[level]);
+      this->MakeLimits(onLevel[level], steps[level]);
+      this->MakeRows(steps[level]);
     }
-    if (isKnown)
+    this->MakeControlLimits(std::move(onLevel[0]), steps[0]);
+  }
+
+  /// Takes away the limits that depend on a rule that is not known, and flags their vertices.
+  void TakeUnknown(std::vector<Step>& steps, Buffer<unsigned char>& unknown) const
+  {
+    Buffer<unsigned char> rows(steps[0].Rows.GetNumberOfRows(), 0);
+    for (std::size_t level = 1; this->HasUnknown && level < steps.size(); ++level)
     {
-      this->MakeControlLimits(std::move(onLevel[0]), steps[0]);
+      Step& step = steps[level];
+      rows = FlagUnknown(step.Rows, rows);
+      const Buffer<unsigned char> limits = FlagUnknown(step.Limits, rows);
+      RowList<Id> known;
+      std::vector<Id> vertices;
+      for (const Id i : InTurn(static_cast<Id>(limits.size())))
+      {
+        if (limits[i])
+        {
+          unknown[step.Vertices[i]] = 1;
+          continue;
+        }
+        vertices.push_back(step.Vertices[i]);
+        for (Id k = step.Limits.Offsets[i]; k < step.Limits.Offsets[i + 1]; ++k)
+        {
+          known.Add(static_cast<std::size_t>(step.Limits.Columns[k]), step.Limits.Weights[k]);
+        }
+        known.EndRow();
+      }
+      step.Limits = known.Take(static_cast<std::size_t>(step.Limits.NumberOfColumns));
+      step.Vertices = std::move(vertices);
     }
-    return isKnown;
   }
 
 private:
+  using Vertex = LatticeVertex<Id>;
+  using Numbers = VertexNumbers<Vertex>;
+
   /// The limits of the wanted vertices of a level; those in the same control simplex, which have
   /// the same weights, side by side.
-  bool MakeLimits(std::vector<Id>& vertices, Step& step)
+  void MakeLimits(std::vector<Id>& vertices, Step& step)
   {
     const auto getKey = [this](Id v) { return std::make_pair(this->Places.GetCarrier(v), v); };
     std::sort(vertices.begin(), vertices.end(), [&](Id a, Id b) { return getKey(a) < getKey(b); });
-    RowList<Id> rows;
-    for (const Id v : InTurn(vertices))
-    {
-      if (!this->Lattice.ReadLimit(this->Places.GetMidpoint(v), this->Row))
-      {
-        return false;
-      }
-      this->AddRow(this->Numbers, rows);
-    }
-    step.Limits = rows.Take(this->Numbers.Vertices.size());
+    step.Limits = this->ReadRows(vertices.size(), this->OfLevel,
+      [&](std::size_t i, BoxSplineLattice<Id>& lattice, LatticeRow<Id>& row)
+      { return lattice.ReadLimit(this->Places.GetMidpoint(vertices[i]), row); });
     step.Vertices = std::move(vertices);
-    return true;
   }
 
   /// The rows of all vertices of a level that have a number. Those of the level before it get
   /// theirs.
-  bool MakeRows(Step& step)
+  void MakeRows(Step& step)
   {
-    VertexNumbers<LatticeVertex<Id>> before;
-    RowList<Id> rows;
-    for (const LatticeVertex<Id>& vertex : InTurn(this->Numbers.Vertices))
-    {
-      if (!this->Lattice.ReadRow(vertex, this->Row))
-      {
-        return false;
-      }
-      this->AddRow(before, rows);
-    }
-    step.Rows = rows.Take(before.Vertices.size());
-    std::swap(this->Numbers, before);
-    return true;
+    Numbers before;
+    const std::vector<Vertex>& vertices = this->OfLevel.Vertices;
+    step.Rows = this->ReadRows(vertices.size(), before,
+      [&](std::size_t i, const BoxSplineLattice<Id>& lattice, LatticeRow<Id>& row)
+      { return lattice.ReadRow(vertices[i], row); });
+    std::swap(this->OfLevel, before);
   }
 
-  void AddRow(VertexNumbers<LatticeVertex<Id>>& numbers, RowList<Id>& rows) const
+  /// read(number, lattice, row) in threads; rows that it does not know are empty.
+  template <typename Read>
+  SparseRows<Id> ReadRows(std::size_t size, Numbers& numbers, const Read& read)
   {
-    for (std::size_t k = 0; k < this->Row.Vertices.size(); ++k)
+    constexpr std::size_t most = 2048; // whose names are in memory
+    std::vector<LatticeRow<Id>> found(std::min(size, most));
+    RowList<Id> rows;
+    for (std::size_t first = 0; first < size; first += most)
     {
-      rows.Add(numbers.GetNumber(this->Row.Vertices[k]), this->Row.Weights[k]);
+      const std::size_t count = std::min(most, size - first);
+      ForRanges(static_cast<vtkIdType>(count),
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          std::shared_ptr<BoxSplineLattice<Id>>& lattice = this->Lattices.Local();
+          if (!lattice)
+          {
+            lattice = std::make_shared<BoxSplineLattice<Id>>(this->Control, this->Sharp, true);
+          }
+          for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+          {
+            read(first + i, *lattice, found[i]) ? void() : found[i].Clear();
+          }
+        });
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        for (std::size_t k = 0; k < found[i].Vertices.size(); ++k)
+        {
+          rows.Add(numbers.GetNumber(found[i].Vertices[k]), found[i].Weights[k]);
+        }
+        rows.EndRow();
+        this->HasUnknown = this->HasUnknown || found[i].Vertices.empty();
+      }
     }
-    rows.EndRow();
+    return rows.Take(numbers.Vertices.size());
   }
 
   /// The first step differs at joints, so the limits of control vertices are those of the level.
@@ -139,15 +205,16 @@ private:
   {
     Buffer<Id> wanted(static_cast<vtkIdType>(vertices.size()));
     std::copy(vertices.begin(), vertices.end(), wanted.begin());
-    step.Limits = BuildLimitRows(this->Control, {}, wanted);
+    step.Limits = BuildLimitRows(this->Control, this->Creases, wanted);
     for (Id& column : InTurn(step.Limits.Columns))
     {
-      column = static_cast<Id>(this->Numbers.GetNumber({ 0, column, { { 1, 0, 0, 0 } } }));
+      column = static_cast<Id>(this->OfLevel.GetNumber({ 0, column, { { 1, 0, 0, 0 } } }));
     }
-    step.Limits.NumberOfColumns = static_cast<vtkIdType>(this->Numbers.Vertices.size());
+    step.Limits.NumberOfColumns = static_cast<vtkIdType>(this->OfLevel.Vertices.size());
     step.Vertices = std::move(vertices);
+    step.IsFirst = true;
     RowList<Id> copies;
-    for (const LatticeVertex<Id>& vertex : InTurn(this->Numbers.Vertices))
+    for (const Vertex& vertex : InTurn(this->OfLevel.Vertices))
     {
       copies.Add(static_cast<std::size_t>(vertex.GetColumn()), 1.);
       copies.EndRow();
@@ -156,59 +223,40 @@ private:
   }
 
   const Level<Id>& Control;
+  const SemiSharpStages<Id>& Creases;
   const LatticePlaces<Id>& Places;
-  LatticeRings<Id> Lattice;
-  VertexNumbers<LatticeVertex<Id>> Numbers; ///< of the current level
-  LatticeRow<Id> Row;
+  const SharpSimplices<Id> Sharp;
+  vtkSMPThreadLocal<std::shared_ptr<BoxSplineLattice<Id>>> Lattices;
+  Numbers OfLevel; ///< of the vertices of the current level
+  bool HasUnknown = false;
 };
 
 template <typename Id>
-std::optional<LocalLimit<Id>> LocalLimit<Id>::MakeOnLattice(const Level<Id>& control,
-  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted)
+LocalLimit<Id> LocalLimit<Id>::MakeOnLattice(const Level<Id>& control,
+  const SemiSharpStages<Id>& creases, const std::vector<std::array<Id, 2>>& midpoints,
+  const Buffer<unsigned char>& wanted, Buffer<unsigned char>& others)
 {
-  if (!control.Strata.Sectors.empty()) // limits beside them are not known
-  {
-    return std::nullopt;
-  }
   LocalLimit limit;
   limit.NumberOfColumns = control.Complex.NumberOfVertices;
   limit.NumberOfRows = limit.NumberOfColumns + static_cast<vtkIdType>(midpoints.size());
+  others = Buffer<unsigned char>(limit.NumberOfRows, 0);
   LatticePlaces<Id> places(control.Complex);
-  if (!places.Find(midpoints) || !LatticeBuilder(control, places).Build(wanted, limit.Steps))
+  if (HasSharpSectors(control.Strata, creases) || !places.Find(midpoints))
   {
-    return std::nullopt;
+    ForEach(others.size(), [&](vtkIdType i) { others[i] = wanted.empty() ? 1 : wanted[i]; });
+    return limit;
   }
+  LatticeBuilder builder(control, creases, places);
+  builder.Build(wanted, limit.Steps);
+  builder.TakeUnknown(limit.Steps, others);
   return limit;
 }
 
-template <typename Id>
-bool LocalLimit<Id>::IsLatticeFaster(
-  const SimplicialComplex<Id>& control, const std::vector<std::array<Id, 2>>& midpoints)
-{
-  std::vector<int> levels;
-  levels.reserve(midpoints.size());
-  std::size_t onEdges = 0; // of the control mesh, in their middles
-  const auto getLevel = [&](Id v)
-  { return v < control.NumberOfVertices ? 0 : levels[v - control.NumberOfVertices]; };
-  for (const auto& [a, b] : InTurn(midpoints))
-  {
-    levels.push_back(1 + std::max(getLevel(a), getLevel(b)));
-    onEdges += levels.back() == 1 && a != b ? 1 : 0;
-  }
-  const int deepest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
-  const auto edges = static_cast<std::size_t>(control.NumberOfEdges);
-  const bool isSolid = 8 * static_cast<std::size_t>(control.NumberOfTets) > edges;
-  // Three whole levels have 1 + 8 + 64 vertices for each control edge.
-  const bool isShallow = deepest < 3 || (deepest == 3 && midpoints.size() > 36 * onEdges);
-  return isSolid && !(isShallow && 4 * onEdges > edges);
-}
-
-#define SUBDIVISION_ON_LATTICE(Id)                                                                 \
-  template std::optional<LocalLimit<Id>> LocalLimit<Id>::MakeOnLattice(                            \
-    const Level<Id>&, const std::vector<std::array<Id, 2>>&, const Buffer<unsigned char>&);        \
-  template bool LocalLimit<Id>::IsLatticeFaster(                                                   \
-    const SimplicialComplex<Id>&, const std::vector<std::array<Id, 2>>&)
-SUBDIVISION_ON_LATTICE(int);
-SUBDIVISION_ON_LATTICE(long long);
+template LocalLimit<int> LocalLimit<int>::MakeOnLattice(const Level<int>&,
+  const SemiSharpStages<int>&, const std::vector<std::array<int, 2>>&, const Buffer<unsigned char>&,
+  Buffer<unsigned char>&);
+template LocalLimit<long long> LocalLimit<long long>::MakeOnLattice(const Level<long long>&,
+  const SemiSharpStages<long long>&, const std::vector<std::array<long long, 2>>&,
+  const Buffer<unsigned char>&, Buffer<unsigned char>&);
 
 }

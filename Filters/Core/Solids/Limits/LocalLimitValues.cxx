@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -46,8 +47,8 @@ void LocalLimit<Id>::ForEachBlock(const User& use) const
         WeightedRows<Id> rows = step.Rows.GetRows(begin, end);
         rows.FirstRow += starts[l % 2];
         rows.ToBetween = true;
-        rows.FromBetween = l > 0;
-        rows.FirstColumn = l > 0 ? starts[(l - 1) % 2] : 0;
+        rows.FromBetween = !step.IsFirst;
+        rows.FirstColumn = step.IsFirst ? 0 : starts[(l - 1) % 2];
         use(rows);
       });
     ForBlocksInThreads(step.Limits.GetNumberOfRows(),
@@ -67,15 +68,15 @@ SparseRows<Id> LocalLimit<Id>::BuildRows() const
 {
   std::vector<SparseRows<Id>> parts;
   SparseRows<Id> product;
+  const SparseRows<Id>* before = nullptr; // the rows of the step before over control values
   for (const Step& step : this->Steps)
   {
-    const bool isFirst = parts.empty();
-    if (!isFirst)
+    if (!step.IsFirst)
     {
-      const bool isSecond = parts.size() == 1;
-      product = Multiply(step.Rows, isSecond ? this->Steps[0].Rows : product);
+      product = Multiply(step.Rows, *before);
     }
-    parts.push_back(Multiply(step.Limits, isFirst ? step.Rows : product));
+    before = step.IsFirst ? &step.Rows : &product;
+    parts.push_back(Multiply(step.Limits, *before));
   }
   SparseRows<Id> rows;
   rows.NumberOfColumns = this->NumberOfColumns;
@@ -104,6 +105,12 @@ SparseRows<Id> LocalLimit<Id>::BuildRows() const
         part.Weights.begin() + begin, part.Weights.begin() + end, rows.Weights.begin() + first);
     });
   return rows;
+}
+
+template <typename Id>
+void LocalLimit<Id>::Append(LocalLimit&& others)
+{
+  std::move(others.Steps.begin(), others.Steps.end(), std::back_inserter(this->Steps));
 }
 
 template <typename Id>

@@ -444,8 +444,10 @@ bool TetOctLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id
   {
     return this->Curved.ReadLimit(vertex, row);
   }
+  Neighbourhood key{ vertex.Dimension }; // all vertices inside solids have the same weights
+  vertex.Dimension < 3 ? AppendId(vertex.Simplex, key) : void();
   const std::vector<double>* weights = this->Limits.Find(
-    vertex, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+    key, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
   if (!weights)
   {
     return false;

@@ -90,7 +90,7 @@ private:
   const TetOctLevel<Id>& Here;
   const Rows<Id>& SolidsAt;
   BoxSplineLattice<Id> Curved; ///< knows vertices of tetrahedra, and rules with d < 3
-  LatticeLimits<Id> Limits;
+  LatticeLimits Limits;
 };
 
 }
