@@ -195,16 +195,9 @@ private:
     std::copy_n(numbers.Totals.begin() + 1, 3, this->Made.Totals.begin() + 1);
   }
 
-  /// Edges or faces that are no control simplices: from First to Last in the complex.
-  template <int Size>
-  struct Faces
-  {
-    const Buffer<Id>& Vertices;
-    vtkIdType First;
-    vtkIdType Last;
-    size_t Kind; ///< 0 and 1: derived edges and the others; 2 and 3: the same for faces
-    std::vector<std::array<vtkIdType, 2>> Places{}; ///< of each: first vertex, position there
-  };
+  /// Of an edge or face its kind (derived edges, the others, and the same for faces), its first
+  /// vertex, and its place among those of this kind that begin there.
+  using Places = std::vector<std::array<vtkIdType, 3>>;
 
   /// Numbers the edges and faces that are no control simplices. In the whole derived ones come
   /// first, and all are in the order of their vertices. A partition knows all that begin at a
@@ -213,12 +206,6 @@ private:
   void NumberFaces()
   {
     const auto& complex = this->Complex;
-    const auto lines = static_cast<vtkIdType>(this->Made.Numbers[1].size());
-    const auto triangles = static_cast<vtkIdType>(this->Made.Numbers[2].size());
-    Faces<2> derivedEdges{ complex.EdgeVertices, lines, complex.NumberOfLineCells, 0 };
-    Faces<2> edges{ complex.EdgeVertices, complex.NumberOfLineCells, complex.NumberOfEdges, 1 };
-    Faces<3> derivedFaces{ complex.FaceVertices, triangles, complex.NumberOfTriangleCells, 2 };
-    Faces<3> faces{ complex.FaceVertices, complex.NumberOfTriangleCells, complex.NumberOfFaces, 3 };
     SharedKeys vertices;
     vertices.Keys = this->Made.Numbers[0];
     std::replace(vertices.Keys.begin(), vertices.Keys.end(), vtkIdType(-1), vtkIdType(0));
@@ -228,59 +215,63 @@ private:
     }
     vertices.Kinds = 4;
     vertices.Sizes.assign(4 * vertices.Keys.size(), 0);
-    this->CountAtVertices(derivedEdges, vertices.Sizes);
-    this->CountAtVertices(edges, vertices.Sizes);
-    this->CountAtVertices(derivedFaces, vertices.Sizes);
-    this->CountAtVertices(faces, vertices.Sizes);
+    const Places edges = this->CountAtVertices<2>(
+      complex.EdgeVertices, complex.NumberOfLineCells, complex.NumberOfEdges, vertices.Sizes);
+    const Places faces = this->CountAtVertices<3>(
+      complex.FaceVertices, complex.NumberOfTriangleCells, complex.NumberOfFaces, vertices.Sizes);
     const SharedNumbers found = NumberTogether(vertices, this->With);
-    this->TakeNumbers(derivedEdges, found);
-    this->TakeNumbers(edges, found);
-    this->TakeNumbers(derivedFaces, found);
-    this->TakeNumbers(faces, found);
+    this->TakeNumbers(1, edges, found);
+    this->TakeNumbers(2, faces, found);
   }
 
-  /// Finds the positions of edges or faces among all with the same first vertex, and counts them.
+  /// Finds the places of edges or faces of which the first are control simplices, then `others`
+  /// the first that is not derived, and counts them.
   template <int Size>
-  void CountAtVertices(Faces<Size>& faces, Ids& counts) const
+  Places CountAtVertices(
+    const Buffer<Id>& verticesOfAll, vtkIdType others, vtkIdType last, Ids& counts) const
   {
-    using Key = std::array<vtkIdType, Size + 1>; // numbers of the vertices, and the first vertex
-    const auto size = static_cast<size_t>(faces.Last - faces.First);
-    std::vector<Key> keys(size);
-    for (const size_t i : InTurn(size))
+    // the kind, the numbers of the vertices, and the first vertex
+    const auto given = static_cast<vtkIdType>(this->Made.Numbers[Size - 1].size());
+    std::vector<std::array<vtkIdType, Size + 2>> keys(static_cast<size_t>(last - given));
+    for (const size_t i : InTurn(keys.size()))
     {
-      const Id* vertices = faces.Vertices.data() + Size * (faces.First + static_cast<vtkIdType>(i));
-      std::transform(vertices, vertices + Size, keys[i].begin(),
-        [&](Id vertex) { return this->Made.Numbers[0][vertex]; });
-      keys[i][Size] =
-        vertices[std::min_element(keys[i].begin(), keys[i].end() - 1) - keys[i].begin()];
-      std::sort(keys[i].begin(), keys[i].end() - 1);
+      const vtkIdType face = given + static_cast<vtkIdType>(i);
+      const Id* vertices = verticesOfAll.data() + Size * face;
+      const auto first = keys[i].begin() + 1;
+      std::transform(
+        vertices, vertices + Size, first, [&](Id vertex) { return this->Made.Numbers[0][vertex]; });
+      keys[i][0] = 2 * Size - 4 + (face < others ? 0 : 1);
+      keys[i][Size + 1] = vertices[std::min_element(first, first + Size) - first];
+      std::sort(first, first + Size);
     }
-    std::vector<size_t> order(size);
+    std::vector<size_t> order(keys.size());
     std::iota(order.begin(), order.end(), size_t(0));
     if (!std::is_sorted(keys.begin(), keys.end()))
     {
       std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return keys[a] < keys[b]; });
     }
-    faces.Places.resize(size);
+    Places places(keys.size());
     for (const size_t i : InTurn(order))
     {
-      const vtkIdType vertex = keys[i][Size];
-      faces.Places[i] = { keys[i][0] < 0 ? -1 : vertex, counts[4 * vertex + faces.Kind]++ };
+      const vtkIdType kind = keys[i][0];
+      const vtkIdType vertex = keys[i][Size + 1];
+      places[i] = { kind, keys[i][1] < 0 ? -1 : vertex, counts[4 * vertex + kind]++ };
     }
+    return places;
   }
 
-  template <int Size>
-  void TakeNumbers(const Faces<Size>& faces, const SharedNumbers& found)
+  void TakeNumbers(int dimension, const Places& places, const SharedNumbers& found)
   {
-    vtkIdType& total = this->Made.Totals[Size - 1];
-    Ids& numbers = this->Made.Numbers[Size - 1];
-    numbers.reserve(numbers.size() + faces.Places.size());
-    for (const auto& [vertex, place] : faces.Places)
+    vtkIdType& total = this->Made.Totals[dimension];
+    Ids& numbers = this->Made.Numbers[dimension];
+    numbers.reserve(numbers.size() + places.size());
+    const vtkIdType derived = found.Totals[2 * dimension - 2];
+    for (const auto& [kind, vertex, place] : places)
     {
-      const vtkIdType before = vertex < 0 ? -1 : found.First[4 * vertex + faces.Kind];
-      numbers.push_back(before < 0 ? -1 : total + before + place);
+      const vtkIdType before = vertex < 0 ? -1 : found.First[4 * vertex + kind];
+      numbers.push_back(before < 0 ? -1 : total + kind % 2 * derived + before + place);
     }
-    total += found.Totals[faces.Kind];
+    total += derived + found.Totals[2 * dimension - 1];
   }
 
   const ControlMesh& Mesh;
