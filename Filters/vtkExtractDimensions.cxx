@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkExtractDimensions.h"
 
-#include "Private/Control/FilterRun.h"
 #include "Private/Distribution/Dimensions.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"

@@ -3,12 +3,12 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Control/CoincidentPoints.h"
-#include "Private/Control/FilterRun.h"
-#include "Private/Control/RunOptions.h"
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/SelectedParts.h"
+#include "Private/Run/FilterRun.h"
+#include "Private/Run/RunOptions.h"
 
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"

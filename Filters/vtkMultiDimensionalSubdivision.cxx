@@ -2,10 +2,10 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
-#include "Private/Control/FilterRun.h"
-#include "Private/Control/PlaceOutput.h"
 #include "Private/Distribution/Dimensions.h"
+#include "Private/Places/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Run/FilterRun.h"
 #include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/Control/FilterRun.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"

@@ -2,10 +2,10 @@
 #include "vtkRefinementAlgorithm.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/FilterRun.h"
-#include "Private/Control/RunOptions.h"
 #include "Private/Criteria/RefinementInput.h"
 #include "Private/Reading/SelectedParts.h"
+#include "Private/Run/FilterRun.h"
+#include "Private/Run/RunOptions.h"
 
 #include "vtkCellData.h"
 #include "vtkImplicitFunction.h"

@@ -2,7 +2,7 @@
 #include "vtkSubdivisionCageSource.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Control/FilterRun.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
-#include "Private/Control/FilterRun.h"
 #include "Private/Deformation/Deformation.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkDataObject.h"
 #include "vtkImageData.h"

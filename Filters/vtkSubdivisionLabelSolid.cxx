@@ -4,10 +4,10 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/FilterRun.h"
 #include "Private/Labels/LabelSolid.h"
 #include "Private/Labels/Materials.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionLimitProbe.h"
 
-#include "Private/Control/FilterRun.h"
-#include "Private/Control/PlaceOutput.h"
 #include "Private/Distribution/Blocks.h"
+#include "Private/Places/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Run/FilterRun.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

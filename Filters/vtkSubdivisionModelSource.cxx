@@ -2,8 +2,8 @@
 #include "vtkSubdivisionModelSource.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/FilterRun.h"
 #include "Private/Models/Models.h"
+#include "Private/Run/FilterRun.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionSmoothness.h"
 
-#include "Private/Control/FilterRun.h"
+#include "Private/Run/FilterRun.h"
 #include "Private/Smoothness/SmoothnessProbe.h"
 #include "Private/Surface/SurfaceInput.h"
 

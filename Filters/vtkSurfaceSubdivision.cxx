@@ -2,9 +2,9 @@
 #include "vtkSurfaceSubdivision.h"
 
 #include "Private/Bezier/BezierCells.h"
-#include "Private/Control/FilterRun.h"
-#include "Private/Control/PlaceOutput.h"
+#include "Private/Places/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
+#include "Private/Run/FilterRun.h"
 #include "Private/Surface/SurfaceBounds.h"
 
 #include "vtkDataObject.h"

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_Words_h
 #define SubdivisionObjects_Words_h
 
-#include "Private/Control/FilterRun.h"
+#include "Private/Run/FilterRun.h"
 
 #include <cctype>
 #include <map>

@@ -6,8 +6,8 @@
  */
 #include "FailingMemory.h"
 #include "FeatureTools.h"
-#include "Private/Control/MemoryEstimate.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Run/MemoryEstimate.h"
+#include "Private/Run/SizeChecks.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkPlaneSource.h"

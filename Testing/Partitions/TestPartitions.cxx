@@ -2,9 +2,9 @@
 // Partitions, simulated in one process, give the result of the whole mesh.
 #include "PartitionTools.h"
 
-#include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/PointIds.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

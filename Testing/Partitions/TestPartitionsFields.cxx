@@ -3,11 +3,11 @@
 // mesh.
 #include "PartitionTools.h"
 
-#include "Private/Control/MaterialFields.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
+#include "Private/Values/MaterialFields.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"

@@ -8,8 +8,8 @@
 
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "Private/Control/Partners.h"
 #include "Private/Distribution/Distribution.h"
+#include "Private/Partitions/Partners.h"
 
 #include "vtkPointSet.h"
 

@@ -8,7 +8,7 @@
 #define SubdivisionObjects_AdaptiveSurfaceNumbers_h
 
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 #include "Private/Surface/SurfaceNumbers.h"
 
 namespace subdivision

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedFaces_h
 
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 #include "Private/Surface/SurfaceCells.h"
 
 #include <array>

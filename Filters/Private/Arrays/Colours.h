@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Colours.h
- * Colours of materials (Private/Control/MaterialFields.h): which of them the cells at a point have.
+ * Colours of materials (Private/Values/MaterialFields.h): which of them the cells at a point have.
  */
 #ifndef SubdivisionObjects_Colours_h
 #define SubdivisionObjects_Colours_h

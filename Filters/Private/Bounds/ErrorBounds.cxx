@@ -10,9 +10,9 @@
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
-#include "Private/Control/Partners.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Partitions/Partners.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Run/SizeChecks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_ErrorBounds_h
 
 #include "Core/Operators/MatrixFactors.h"
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 
 #include "vtkPointSet.h"
 #include "vtkSmartPointer.h"

@@ -4,11 +4,11 @@
 #include "Core/Memory/Sorting.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/PointCopies.h"
 #include "Private/Reading/NearPoints.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/UnusedPoints.h"
+#include "Private/Values/PointCopies.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

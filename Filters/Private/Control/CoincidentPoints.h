@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_CoincidentPoints_h
 #define SubdivisionObjects_CoincidentPoints_h
 
-#include "Private/Control/MergedValues.h"
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
+#include "Private/Values/MergedValues.h"
 
 #include "vtkSmartPointer.h"
 

@@ -7,10 +7,10 @@
 #ifndef SubdivisionObjects_ControlMesh_h
 #define SubdivisionObjects_ControlMesh_h
 
-#include "Private/Control/Features.h"
-#include "Private/Control/Marks.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Reading/CellsToSimplices.h"
+#include "Private/Run/Features.h"
+#include "Private/Run/Marks.h"
 
 #include <string>
 #include <vector>

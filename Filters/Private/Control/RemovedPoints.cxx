@@ -5,9 +5,9 @@
 #include "Core/Operators/MatrixFactors.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/PointCopies.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/UnusedPoints.h"
+#include "Private/Values/PointCopies.h"
 
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"

@@ -18,7 +18,7 @@
 #define SubdivisionObjects_Stamp_h
 
 #include "Core/Memory/SimplexList.h"
-#include "Private/Control/Marks.h"
+#include "Private/Run/Marks.h"
 
 #include <functional>
 #include <vector>

@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_Deformation_h
 #define SubdivisionObjects_Deformation_h
 
-#include "Private/Control/KeptEntries.h"
 #include "Private/Deformation/EmbeddedPoints.h"
+#include "Private/Run/KeptEntries.h"
 
 namespace subdivision
 {

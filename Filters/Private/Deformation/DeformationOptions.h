@@ -7,8 +7,8 @@
 #define SubdivisionObjects_DeformationOptions_h
 
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
-#include "Private/Control/RunOptions.h"
 #include "Private/Control/Stamp.h"
+#include "Private/Run/RunOptions.h"
 
 namespace subdivision
 {

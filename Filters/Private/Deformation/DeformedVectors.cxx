@@ -4,9 +4,9 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Store.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/RunOptions.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Run/RunOptions.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Distribution.h"
 
-#include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/BlockCases.h"
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Distribution/Meeting.h"
@@ -10,6 +9,7 @@
 #include "Private/Distribution/Ranks.h"
 #include "Private/Distribution/StampedParts.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"

@@ -7,9 +7,9 @@
 #ifndef SubdivisionObjects_Distribution_h
 #define SubdivisionObjects_Distribution_h
 
-#include "Private/Control/FilterRun.h"
 #include "Private/Distribution/Blocks.h"
 #include "Private/Distribution/Exchange.h"
+#include "Private/Run/FilterRun.h"
 
 #include <string>
 #include <vector>

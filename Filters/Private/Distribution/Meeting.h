@@ -6,10 +6,10 @@
 #ifndef SubdivisionObjects_Meeting_h
 #define SubdivisionObjects_Meeting_h
 
-#include "Private/Control/Partners.h"
 #include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
 #include "Private/Distribution/Layers.h"
+#include "Private/Partitions/Partners.h"
 
 #include <condition_variable>
 #include <functional>

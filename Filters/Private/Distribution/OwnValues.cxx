@@ -2,9 +2,9 @@
 #include "Private/Distribution/OwnValues.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Control/MaterialFields.h"
-#include "Private/Control/PointCopies.h"
 #include "Private/Distribution/JoinedArrays.h"
+#include "Private/Values/MaterialFields.h"
+#include "Private/Values/PointCopies.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"

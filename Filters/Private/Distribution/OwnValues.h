@@ -2,7 +2,7 @@
 /**
  * @file OwnValues.h
  * Values that parts of a joined mesh have for the same point, each its own: what values that jump
- * (Private/Control/MaterialFields.h) need.
+ * (Private/Values/MaterialFields.h) need.
  */
 #ifndef SubdivisionObjects_OwnValues_h
 #define SubdivisionObjects_OwnValues_h

@@ -3,11 +3,11 @@
 
 #include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/PointCopies.h"
 #include "Private/Distribution/BlockCases.h"
 #include "Private/Distribution/PlacesOfIds.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Values/PointCopies.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

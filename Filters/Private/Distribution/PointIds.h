@@ -26,7 +26,7 @@ namespace subdivision
  * get -1, as these cells do. Cells are ordered by global ids if all parts have them, each one once;
  * else by partition, part and index. The numbers that are made here start at 0 and have no gaps.
  *
- * With `joinsCopies` points of a part that are copies (Private/Control/PointCopies.h) are one
+ * With `joinsCopies` points of a part that are copies (Private/Values/PointCopies.h) are one
  * point.
  *
  * Returns whether some points of one id lie at different places.

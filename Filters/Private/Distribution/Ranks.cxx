@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/Ranks.h"
 
-#include "Private/Control/MemoryEstimate.h"
-#include "Private/Control/SizeChecks.h"
 #include "Private/Distribution/JoinedArrays.h"
+#include "Private/Run/MemoryEstimate.h"
+#include "Private/Run/SizeChecks.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"

@@ -7,9 +7,9 @@
 #ifndef SubdivisionObjects_Ranks_h
 #define SubdivisionObjects_Ranks_h
 
-#include "Private/Control/RunOptions.h"
 #include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Run/RunOptions.h"
 
 namespace subdivision
 {

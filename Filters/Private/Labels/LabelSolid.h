@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_LabelSolid_h
 #define SubdivisionObjects_LabelSolid_h
 
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 
 #include "vtkType.h"
 

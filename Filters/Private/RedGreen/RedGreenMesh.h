@@ -11,7 +11,7 @@
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 #include "Private/Control/ControlMesh.h"
 #include "Private/Control/GreenLeaves.h"
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Partitions/SharedNumbers.h"
 
 #include <array>
 #include <vector>

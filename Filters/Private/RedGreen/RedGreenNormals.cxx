@@ -3,7 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Private/Control/SharedSides.h"
+#include "Private/Partitions/SharedSides.h"
 #include "Private/Reading/SolidOrientation.h"
 
 #include "vtkPointSet.h"

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_RedGreenNormals_h
 #define SubdivisionObjects_RedGreenNormals_h
 
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 
 #include <vector>

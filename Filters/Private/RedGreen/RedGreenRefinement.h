@@ -6,9 +6,9 @@
 #ifndef SubdivisionObjects_RedGreenRefinement_h
 #define SubdivisionObjects_RedGreenRefinement_h
 
-#include "Private/Control/RunOptions.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Criteria/RefinementCriteria.h"
+#include "Private/Run/RunOptions.h"
 
 class vtkPointSet;
 class vtkUnstructuredGrid;

@@ -5,9 +5,9 @@
 
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/TetOrder.h"
-#include "Private/Control/FittingMarks.h"
-#include "Private/Control/MissingValues.h"
+#include "Private/Partitions/FittingMarks.h"
 #include "Private/RedGreen/VertexOrigins.h"
+#include "Private/Values/MissingValues.h"
 
 #include "vtkDataArray.h"
 

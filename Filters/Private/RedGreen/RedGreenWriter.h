@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_RedGreenWriter_h
 #define SubdivisionObjects_RedGreenWriter_h
 
-#include "Private/Control/RunOptions.h"
 #include "Private/RedGreen/RedGreenMesh.h"
+#include "Private/Run/RunOptions.h"
 
 #include <vector>
 

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedSplits_h
 
 #include "Core/Solids/RedGreen/RedGreen.h"
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 
 #include <cstdint>

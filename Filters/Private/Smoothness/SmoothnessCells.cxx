@@ -4,7 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Run/SizeChecks.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellArray.h"

@@ -8,7 +8,7 @@
 #define SubdivisionObjects_SmoothnessProbe_h
 
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 
 class vtkPointSet;
 class vtkPolyData;

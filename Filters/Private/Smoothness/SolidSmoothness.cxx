@@ -7,7 +7,7 @@
 #include "Core/Smoothness/SurfaceStars.h"
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/Control/ControlComplex.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/Smoothness/SmoothnessCells.h"
 #include "Private/Smoothness/SolidStars.h"
 

@@ -10,7 +10,7 @@
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/KeptEntries.h"
+#include "Private/Run/KeptEntries.h"
 #include "Private/Surface/SurfaceCells.h"
 
 #include "vtkCellArray.h"

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SurfaceCellArrays_h
 
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 #include "Private/Surface/SurfaceCells.h"
 #include "Private/Surface/SurfaceStamp.h"
 

@@ -4,7 +4,7 @@
 #include "Core/Memory/CellSplits.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 
 #include "vtkCellData.h"

@@ -8,7 +8,7 @@
 #define SubdivisionObjects_SurfaceCreases_h
 
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
-#include "Private/Control/Features.h"
+#include "Private/Run/Features.h"
 #include "Private/Surface/SurfaceCells.h"
 #include "Private/Surface/SurfaceStamp.h"
 

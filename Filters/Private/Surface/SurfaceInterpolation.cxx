@@ -3,7 +3,7 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
-#include "Private/Control/SharedInterpolation.h"
+#include "Private/Values/SharedInterpolation.h"
 
 namespace subdivision
 {

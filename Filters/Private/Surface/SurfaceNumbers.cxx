@@ -4,8 +4,8 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/Control/Partners.h"
-#include "Private/Control/SharedSides.h"
+#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/SharedSides.h"
 #include "Private/Reading/UnusedPoints.h"
 
 #include "vtkPolyData.h"

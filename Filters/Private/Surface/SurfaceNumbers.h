@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_SurfaceNumbers_h
 #define SubdivisionObjects_SurfaceNumbers_h
 
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Partitions/SharedNumbers.h"
 #include "Private/Surface/SurfaceCells.h"
 
 class vtkPolyData;

@@ -10,7 +10,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/OpenPoints.h"
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 
 #include <algorithm>
 #include <limits>

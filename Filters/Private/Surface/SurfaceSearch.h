@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SurfaceSearch_h
 
 #include "Core/Surfaces/Places/SurfacePlaces.h"
-#include "Private/Control/NearestPlaces.h"
+#include "Private/Places/NearestPlaces.h"
 #include "Private/Surface/SurfaceCells.h"
 
 #include <vector>

@@ -5,10 +5,10 @@
 #include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Control/Partners.h"
-#include "Private/Control/SharedInterpolation.h"
+#include "Private/Partitions/Partners.h"
 #include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
+#include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceSubdivision_h
 #define SubdivisionObjects_SurfaceSubdivision_h
 
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 #include "Private/Surface/SurfaceCache.h"
 
 class vtkPolyData;

@@ -4,7 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/Links.h"
-#include "Private/Control/SharedDirectory.h"
+#include "Private/Partitions/SharedDirectory.h"
 
 #include <algorithm>
 #include <array>

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedCounts_h
 
 #include "Core/Solids/Strata/ComplexDescription.h"
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 
 #include <vector>
 

@@ -9,9 +9,9 @@
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
-#include "Private/Control/SharedNumbers.h"
-#include "Private/Control/SizeChecks.h"
+#include "Private/Partitions/SharedNumbers.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/Topology/SharedCounts.h"
 
 #include "vtkCellArray.h"

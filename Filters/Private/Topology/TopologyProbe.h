@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_TopologyProbe_h
 #define SubdivisionObjects_TopologyProbe_h
 
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 
 class vtkPointSet;
 class vtkUnstructuredGrid;

@@ -3,7 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Bounds/TetOctReader.h"
-#include "Private/Control/SolidPieces.h"
+#include "Private/Places/SolidPieces.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"

@@ -3,7 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/PointCopies.h"
+#include "Private/Values/PointCopies.h"
 
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"

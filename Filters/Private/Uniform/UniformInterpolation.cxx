@@ -5,9 +5,9 @@
 #include "Core/Operators/SparseRows.h"
 
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/SharedInterpolation.h"
 #include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
+#include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"
 #include "vtkLogger.h"

@@ -6,8 +6,8 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/NearestPlaces.h"
-#include "Private/Control/PlaceOutput.h"
+#include "Private/Places/NearestPlaces.h"
+#include "Private/Places/PlaceOutput.h"
 #include "Private/Uniform/StartPieces.h"
 
 #include "vtkDataArray.h"

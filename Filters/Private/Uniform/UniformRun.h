@@ -14,7 +14,7 @@
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
-#include "Private/Control/SharedNumbers.h"
+#include "Private/Partitions/SharedNumbers.h"
 #include "Private/Uniform/UniformCells.h"
 #include "Private/Uniform/UniformSubdivision.h"
 

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_UniformSubdivision_h
 #define SubdivisionObjects_UniformSubdivision_h
 
-#include "Private/Control/RunOptions.h"
+#include "Private/Run/RunOptions.h"
 #include "Private/Uniform/OperatorCache.h"
 
 class vtkDataArray;

@@ -8,7 +8,7 @@
 #include "LabelTools.h"
 #include "RedGreenRefinementTools.h"
 
-#include "Private/Control/SizeChecks.h"
+#include "Private/Run/SizeChecks.h"
 
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkSubdivisionSmoothness.h"

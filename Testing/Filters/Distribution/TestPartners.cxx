@@ -3,7 +3,7 @@
  * @file TestPartners.cxx
  * What partitions agree upon by the functions of Partners.
  */
-#include "Private/Control/Partners.h"
+#include "Private/Partitions/Partners.h"
 
 #include <gtest/gtest.h>
 

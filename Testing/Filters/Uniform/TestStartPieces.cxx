@@ -6,7 +6,7 @@
  */
 #include "LimitProbeTools.h"
 
-#include "Private/Control/SolidPieces.h"
+#include "Private/Places/SolidPieces.h"
 #include "Private/Uniform/StartPieces.h"
 
 #include "vtkSubdivisionModelSource.h"

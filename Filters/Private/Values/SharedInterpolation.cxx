@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Private/Values/SharedInterpolation.h"
+
+#include "Private/ArrayNames.h"
+#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/SharedNumbers.h"
+#include "Private/Partitions/SharedValues.h"
+#include "Private/Run/SizeChecks.h"
+#include "Private/Values/MaterialColours.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkPointSet.h"
+
+#include <memory>
+#include <sstream>
+
+namespace subdivision
+{
+namespace
+{
+
+/// The control points: points by their ids, the centres that cells bring by the ids of these cells.
+SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Partners& partners)
+{
+  SharedKeys control;
+  control.Width = 2;
+  control.Own = FindOwnPoints(input, [&](vtkIdType cell) { return partners.IsOwn(cell); });
+  for (const vtkIdType id : partners.GetPointIds())
+  {
+    control.Keys.insert(control.Keys.end(), { id, 0 });
+  }
+  if (cells.GetNumberOfCentres() > 0)
+  {
+    const SharedKeys centres = MakeCentreKeys(input->GetNumberOfPoints(), cells.GetView(),
+      MakeKeysOfPieces(cells, partners.GetCellIds(), partners));
+    for (size_t c = 0; c < centres.Own.size(); ++c)
+    {
+      control.Keys.insert(control.Keys.end(), { centres.Keys[2 * c], 1 + centres.Keys[2 * c + 1] });
+      control.Own.push_back(centres.Own[c]);
+    }
+  }
+  return control;
+}
+
+/// The rows of control points of all partitions in the order of the whole mesh, where centres come
+/// after points.
+WholeSystem FindWhole(const SharedKeys& control, Partners& partners)
+{
+  SharedKeys ordered = control;
+  ordered.Width = 3;
+  ordered.Keys.clear();
+  for (size_t i = 0; i < control.Own.size(); ++i)
+  {
+    const vtkIdType* key = control.Keys.data() + 2 * i;
+    ordered.Keys.insert(ordered.Keys.end(), { key[1] > 0 ? 1 : 0, key[0], key[1] });
+  }
+  const SharedNumbers numbers = NumberTogether(ordered, partners);
+  const int first = partners.FindFirst();
+  WholeSystem whole(numbers.Totals[0]);
+  whole.Numbers = numbers.First;
+  whole.AreOwn = control.Own;
+  whole.ToSolver = [first, &partners](std::vector<double>& values)
+  {
+    partners.BringTo(first, values);
+    return partners.GetPartition() == first;
+  };
+  whole.FromSolver = [first, &partners](std::vector<double>& values)
+  { partners.TakeFrom(first, values); };
+  return whole;
+}
+
+Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
+{
+  return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
+}
+
+/// `others`: partitions that call this too; if there are any, nothing is counted.
+void TellMisses(
+  LimitMisses misses, Partners* others, const std::function<void(const std::string&)>& warn)
+{
+  if (others)
+  {
+    std::vector<double> most{ misses.Most };
+    others->FindLargest(most);
+    misses.Most = most[0];
+  }
+  if (misses.Most > 0.)
+  {
+    std::ostringstream text;
+    text << "At " << (others ? "some" : std::to_string(misses.Count))
+         << " points the values of a material are not those of the input, but differ by up to "
+         << 100. * misses.Most
+         << " % of the range: there the material touches others in edges or points only, or ends "
+            "on a curve that goes on without it. With no level they are the same.";
+    warn(text.str());
+  }
+}
+
+}
+
+bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options)
+{
+  Partners* others = FindOthers(input, options);
+  return others ? others->Sum(own ? 0 : 1) == 0 : own;
+}
+
+void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
+  InterpolationLimits& limits)
+{
+  limits.FindMemory = GetAvailableMemory;
+  if (Partners* others = FindOthers(input, options))
+  {
+    const auto keys = std::make_shared<SharedKeys>(MakeControlKeys(input, cells, *others));
+    const auto shared = std::make_shared<SharedValues>(*keys, *others);
+    limits.TakeOthers = [shared](double* values, int components)
+    { shared->TakeOthers(values, components); };
+    limits.FindLargest = [others](std::vector<double>& values) { others->FindLargest(values); };
+    limits.FindWhole = [keys, others] { return subdivision::FindWhole(*keys, *others); };
+  }
+}
+
+void WarnOfLateInterpolation(const InterpolationOptions& options,
+  const std::vector<vtkIdType>& before, const std::function<void(const std::string&)>& warn)
+{
+  if (options.IsOn() && before.empty())
+  {
+    warn("An earlier filter made the input, and did not interpolate: its control points are "
+         "smoothed already. This filter ignores InterpolatePoints and InterpolateArrays. "
+         "Switch them on in the first of the filters.");
+  }
+}
+
+void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
+  vtkPointSet* output, bool isLimit)
+{
+  Partners* others = FindOthers(input, options);
+  std::vector<char> counted;
+  if (others && options.Interpolation.Arrays)
+  {
+    auto* blocks = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray(BlockName));
+    counted = FindOwnPoints(
+      output, [blocks](vtkIdType cell) { return blocks && blocks->GetValue(cell) != NoBlock; });
+  }
+  const bool hasColours = options.HasMaterialFields && options.Interpolation.Arrays;
+  if (isLimit && hasColours)
+  {
+    TellMisses(arrays.FindMisses(counted), others, options.Warn);
+  }
+  std::vector<Overshoot> found = arrays.FindOvershoot(
+    counted, hasColours ? FindColoursAtPoints(output) : std::vector<ColourMask>());
+  if (others && !found.empty())
+  {
+    std::vector<double> most;
+    for (const Overshoot& array : found)
+    {
+      most.push_back(array.Most);
+    }
+    others->FindLargest(most);
+    for (size_t a = 0; a < found.size(); ++a)
+    {
+      found[a].Most = most[a];
+    }
+  }
+  std::ostringstream text;
+  for (const Overshoot& array : found)
+  {
+    if (array.Most > 0.)
+    {
+      text << (text.tellp() > 0 ? ", " : "");
+      if (!others)
+      {
+        text << array.Count << " of " << array.NumberOfValues << " ";
+      }
+      text << "values of " << array.Name << " (by up to " << 100. * array.Most
+           << " % of the range)";
+    }
+  }
+  if (text.tellp() > 0)
+  {
+    options.Warn("Interpolated values exceed the range that the input has: " + text.str() +
+      ". Take a smaller InterpolationWeight if that must not be.");
+  }
+}
+
+}
