@@ -4,7 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"

@@ -3,7 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"

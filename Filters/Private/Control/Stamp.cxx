@@ -2,8 +2,8 @@
 #include "Private/Control/Stamp.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

@@ -5,9 +5,9 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Control/Stamp.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"

@@ -4,10 +4,10 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Partitions/Partners.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/CellsToSimplices.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"

@@ -5,7 +5,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"

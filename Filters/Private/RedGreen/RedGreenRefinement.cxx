@@ -6,7 +6,6 @@
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Partitions/Partners.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/OpenSplits.h"
@@ -15,6 +14,7 @@
 #include "Private/RedGreen/VertexOrigins.h"
 #include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
+#include "Private/Run/StampFields.h"
 #include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"

@@ -6,8 +6,8 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Partitions/Partners.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

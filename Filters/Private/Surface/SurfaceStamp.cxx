@@ -6,7 +6,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"

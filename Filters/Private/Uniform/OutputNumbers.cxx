@@ -5,9 +5,9 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Partitions/Partners.h"
 #include "Private/Partitions/SharedNumbers.h"
+#include "Private/Run/StampFields.h"
 
 #include "vtkPointSet.h"
 

@@ -5,8 +5,8 @@
 #include "Core/Operators/SparseRows.h"
 
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/StampFields.h"
 #include "Private/Reading/SolidOrientation.h"
+#include "Private/Run/StampFields.h"
 #include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"

@@ -2,7 +2,7 @@
 // The stamp of a uniform subdivision for the next filter.
 #include "Private/Uniform/UniformRun.h"
 
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 #include "Private/Uniform/OutputNumbers.h"
 
 #include "vtkCellData.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Control/StampFields.h"
+#include "Private/Run/StampFields.h"
 
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
