@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Times that must stay short on ordinary input, and costs that must stay in proportion.
+
+usage: PYTHONPATH=... check_times.py [NAME]      (the package subdivisionobjects of any build)
+
+Each row is the best of some runs, beside its bar; the exit status is 1 where a bar is missed. ./dev bench --times runs it.
+"""
+
+import sys
+import time
+
+import numpy as np
+import vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk
+
+import subdivisionobjects as so
+
+MODELS = range(so.vtkSubdivisionModelSource.CYLINDER + 1)
+
+
+def timed(run, times=3):
+    best = float("inf")
+    for _ in range(times):
+        start = time.perf_counter()
+        run()
+        best = min(best, time.perf_counter() - start)
+    return best
+
+
+def model(number):
+    source = so.vtkSubdivisionModelSource()
+    source.SetModel(number)
+    source.Update()
+    return source.GetOutput()
+
+
+def points_of(places):
+    data = vtk.vtkPolyData()
+    points = vtk.vtkPoints()
+    points.SetData(numpy_to_vtk(np.ascontiguousarray(places), deep=1))
+    data.SetPoints(points)
+    return data
+
+
+def probe(mesh, places):
+    def run():
+        made = so.vtkSubdivisionLimitProbe()
+        made.SetInputDataObject(0, mesh)
+        made.SetInputDataObject(3, points_of(places))
+        made.Update()
+        assert made.GetOutput().GetNumberOfPoints() == len(places)
+    return run
+
+
+def probes():
+    """2 ms a place at any distance, in all models."""
+    random = np.random.default_rng(1)
+    for number in MODELS:
+        mesh = model(number)
+        bounds = np.array(mesh.GetBounds()).reshape(3, 2)
+        middle, size = bounds.mean(axis=1), np.ptp(bounds, axis=1).max()
+        for distance in (0.5, 3.0, 100.0):
+            places = middle + distance * size * random.uniform(-1, 1, (1000, 3))
+            yield f"probe, model {number}, {distance} sizes away, ms a place", timed(probe(mesh, places), 2), 2.0
+
+
+def probe_of_many():
+    """10^5 places in a minute."""
+    mesh = model(1)
+    bounds = np.array(mesh.GetBounds()).reshape(3, 2)
+    places = np.random.default_rng(2).uniform(bounds[:, 0], bounds[:, 1], (100_000, 3))
+    yield "probe of Screw, 100,000 places, s", timed(probe(mesh, places), 1), 60.0
+
+
+def bezier():
+    """Bezier cells cost what is split, not all levels: 480 tetrahedra of which few are split two times."""
+    image = vtk.vtkImageData()
+    image.SetDimensions(5, 5, 7)
+    cut = vtk.vtkDataSetTriangleFilter()
+    cut.SetInputData(image)
+    cut.Update()
+    mesh = cut.GetOutput()
+    mesh.GetPoints().SetPoint(87, 2.0, 2.0, 3.7)
+
+    def run():
+        made = so.vtkMultiDimensionalSubdivision()
+        made.SetInputData(mesh)
+        made.SetNumberOfLevels(2)
+        made.SetOutputCellsToBezier()
+        made.SetBezierTolerance(1e-3)
+        made.Update()
+        assert made.GetOutput().GetNumberOfCells() > mesh.GetNumberOfCells()
+    yield "Bezier cells of 480 tetrahedra, some split twice, s", timed(run, 1), 8.0
+
+
+def smoothness():
+    """10 s at the defaults for 57,000 solids."""
+    image = vtk.vtkImageData()
+    image.SetDimensions(23, 23, 23)
+    cut = vtk.vtkDataSetTriangleFilter()
+    cut.SetInputData(image)
+    cut.Update()
+
+    def run():
+        made = so.vtkSubdivisionSmoothness()
+        made.SetInputData(cut.GetOutput())
+        made.Update()
+    yield f"Smoothness of {cut.GetOutput().GetNumberOfCells():,} solids, s", timed(run, 1), 10.0
+
+
+def blocks():
+    """Time of joining blocks is linear in their number: eight times as many cost eight times as much, or less than twelve."""
+    def make(count):
+        blocks = vtk.vtkMultiBlockDataSet()
+        for i in range(count):
+            image = vtk.vtkImageData()
+            image.SetDimensions(5, 5, 5)
+            image.SetOrigin(4 * i, 0, 0)
+            cut = vtk.vtkDataSetTriangleFilter()
+            cut.SetInputData(image)
+            cut.Update()
+            blocks.SetBlock(i, cut.GetOutput())
+
+        def run():
+            made = so.vtkMultiDimensionalSubdivision()
+            made.SetInputData(blocks)
+            made.SetNumberOfLevels(0)
+            made.Update()
+        return timed(run)
+    few, many = make(64), make(512)
+    yield "512 blocks joined, times that of 64", many / few, 12.0
+
+
+def main():
+    missed = False
+    wanted = sys.argv[1] if len(sys.argv) > 1 else ""
+    for check in (probes, probe_of_many, bezier, smoothness, blocks):
+        for name, figure, bar in check():
+            if wanted in name:
+                missed = missed or figure > bar
+                print(f"{'ok  ' if figure <= bar else 'MISS'} {figure:10.3f} (bar {bar:g}) {name}", flush=True)
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
