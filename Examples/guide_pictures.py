@@ -320,7 +320,7 @@ def concave_sheet():
 def corners():
     """What arrays of points say of the concave corner."""
     shown = []
-    for words, arrays in (("default", {}), ("Angle 90", {"Angle": 90.0}), ("Flatness 0.5", {"Flatness": 0.5}),
+    for words, arrays in (("default", {}), ("Angle 90", {"CornerAngle": 90.0}), ("Flatness 0.5", {"Flatness": 0.5}),
                           ("Flatness 1", {"Flatness": 1.0})):
         control = concave_sheet()
         options = {}

@@ -26,7 +26,7 @@ def smoothness():
     grid = spindle(9)
     colours = look.category_colours([("holds", BLUE), ("fails", (0.85, 0.25, 0.15))])
     shown = []
-    for scheme in ("Box Spline", "Tet Oct"):
+    for scheme in ("Box Spline", "Tet/Oct"):
         found = output(simple.SubdivisionSmoothness(Input=source_of(grid), Scheme=scheme))
         edges = only_cells(found, "SimplexDimension", 1)
         actors = look.actors_of(edges, ("cell", "Failing", colours), 4.0)
@@ -118,12 +118,12 @@ def maps_of_solids():
         shown.append((words, actors, points / size))
 
     for count in (5, 6, 7, 8, 9, 12):
-        add(f"Tet Oct, a vertex of {count}", ball(count), 0, "Tet Oct")
+        add(f"Tet/Oct, a vertex of {count}", ball(count), 0, "Tet/Oct")
     for count in range(3, 11):
-        edges = output(simple.SubdivisionSmoothness(Input=source_of(spindle(count)), Scheme="Tet Oct"))
+        edges = output(simple.SubdivisionSmoothness(Input=source_of(spindle(count)), Scheme="Tet/Oct"))
         inside = (vtk_to_numpy(edges.GetCellData().GetArray("SimplexDimension")) == 1) & (
             vtk_to_numpy(edges.GetCellData().GetArray("RuleDimension")) == 3)
-        add(f"Tet Oct, an edge of {count}", spindle(count), int(np.flatnonzero(inside)[0]), "Tet Oct")
+        add(f"Tet/Oct, an edge of {count}", spindle(count), int(np.flatnonzero(inside)[0]), "Tet/Oct")
     add("Box Spline, a vertex of 6:\nblue cells fold", ball(6), 0, "Box Spline")
     write("maps_of_solids", shown, VIEW, 4)
 

@@ -4,7 +4,6 @@
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Places/PlaceOutput.h"
-#include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -123,15 +122,6 @@ int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
   return further + (this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2);
 }
 
-bool vtkMultiDimensionalSubdivision::ReadFeatureOptions(
-  vtkPointSet* input, subdivision::RunOptions& options)
-{
-  options.Features.ModifiedBoundary = this->ModifiedBoundary && this->VolumeScheme != LINEAR;
-  return this->Superclass::ReadFeatureOptions(input, options) &&
-    subdivision::FindCornerAngles(
-      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
-}
-
 int vtkMultiDimensionalSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -211,7 +201,6 @@ void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "KeepCellTypes: " << this->KeepCellTypes << "\n";
-  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "GenerateClassification: " << this->GenerateClassification << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";

@@ -17,8 +17,8 @@
  * curve. By default non-manifold vertices and edges take the rule for solids with all their
  * neighbours (rule G-2).
  *
- * On surfaces these are the plain rules of Loop's scheme also next to boundaries and creases;
- * ModifiedBoundary chooses others there, which vtkSurfaceSubdivision has by default.
+ * On surfaces this is Loop's scheme, as in vtkSurfaceSubdivision, next to boundaries and creases
+ * with the rules of ModifiedBoundary; off, it chooses the paper's.
  *
  * @par Tet/oct scheme
  * VolumeScheme = TET_OCT: S. Schaefer, J. Hakenberg and J. Warren, "Smooth Subdivision of
@@ -52,12 +52,6 @@
  * `SubdivisionGlobalIds`, if the input had global ids, `SubdivisionInvertedCells`, if it had
  * inverted or flat solids, `SubdivisionInterpolated`, if values were interpolated), by which the
  * next filter recognises this output.
- *
- * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkMarkedSubdivisionAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
- *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
- *    rule. Unset: none.
  *
  * @par Solids that are turned inside out
  * Smoothing may turn solids inside out where the control mesh is very thin. One warning says how
@@ -169,23 +163,6 @@ public:
 
   ///@{
   /**
-   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
-   * corners depend on the number of triangles there (D. Zorin, survey in "Subdivision for Modeling
-   * and Animation"), as in vtkSurfaceSubdivision. A new point on an edge that ends on a border or
-   * crease has the weights of that sector, which is bounded by two edges that are not smooth. By
-   * the plain rules a surface is not smooth there from 7 triangles on. With 3 triangles both are
-   * the same. At a corner with an angle in the array at index 10 the weights depend on that angle
-   * too, and from 180 degrees on new points move towards the plane of the two edges that bound the
-   * sector; all other corners have the plain rules. Limits, normals and tangents follow. No effect
-   * with VolumeScheme = LINEAR. Off by default.
-   */
-  vtkSetMacro(ModifiedBoundary, bool);
-  vtkGetMacro(ModifiedBoundary, bool);
-  vtkBooleanMacro(ModifiedBoundary, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether to output how the filter classified the mesh. Point arrays: `RuleDimension` (dimension
    * 0 to 3 of the rule that the next level would use for the vertex; 4 = blended) and
    * `NonManifoldType` (0: manifold; 1: objects of different dimension meet; 2: more than two
@@ -225,7 +202,7 @@ public:
    * on a crease or on the border of a surface has the mean of the normals of its one or two sides.
    *
    * There is no tangent plane on curves, at corners, darts and non-manifold joints, on creases and
-   * borders with seven and more triangles on a side (but with ModifiedBoundary), on surfaces inside
+   * borders with seven and more triangles on a side (with ModifiedBoundary off), on surfaces inside
    * a solid, and on semi-sharp creases that are still sharp on the last level. So that nothing is
    * drawn black, points with triangles there (those of surfaces and of the boundaries of solids)
    * have the mean of the normals of the triangles in the limit, weighted by angle, the same on all
@@ -455,7 +432,6 @@ protected:
   bool HasInterfaces() const override { return true; }
   /// Tet/oct limits need a third layer, because octahedra reach one edge farther.
   int GetLayersOfCells() const override;
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
@@ -465,7 +441,6 @@ protected:
   int NumberOfLevels = 1;
   int VolumeScheme = BOX_SPLINE;
   bool KeepCellTypes = false;
-  bool ModifiedBoundary = false;
   bool GenerateClassification = false;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
-#include "Private/Reading/InputArrays.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Run/FilterRun.h"
 
@@ -12,14 +11,6 @@ vtkStandardNewMacro(vtkRedGreenRefinement);
 
 vtkRedGreenRefinement::vtkRedGreenRefinement() = default;
 vtkRedGreenRefinement::~vtkRedGreenRefinement() = default;
-
-bool vtkRedGreenRefinement::ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options)
-{
-  options.Features.ModifiedBoundary = this->ModifiedBoundary;
-  return this->Superclass::ReadFeatureOptions(input, options) &&
-    subdivision::FindCornerAngles(
-      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
-}
 
 int vtkRedGreenRefinement::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -45,6 +36,5 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
-  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
 }

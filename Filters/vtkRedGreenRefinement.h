@@ -68,12 +68,6 @@
  * @par Errors
  * See vtkRefinementAlgorithm.
  *
- * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkRefinementAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
- *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
- *    rule. Unset: none.
- *
  * @sa
  * vtkMultiDimensionalSubdivision vtkAdaptiveSurfaceSubdivision
  */
@@ -129,23 +123,6 @@ public:
 
   ///@{
   /**
-   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
-   * corners depend on the number of triangles there (D. Zorin, survey in "Subdivision for Modeling
-   * and Animation"), as in vtkSurfaceSubdivision. A new point on an edge that ends on a border or
-   * crease has the weights of that sector, which is bounded by two edges that are not smooth. By
-   * the plain rules a surface is not smooth there from 7 triangles on. With 3 triangles both are
-   * the same. At a corner with an angle in the array at index 10 the weights depend on that angle
-   * too, and from 180 degrees on new points move towards the plane of the two edges that bound the
-   * sector; all other corners have the plain rules. Only the limit depends on it, where Placement
-   * is LIMIT or a criterion asks for it. Off by default.
-   */
-  vtkSetMacro(ModifiedBoundary, bool);
-  vtkGetMacro(ModifiedBoundary, bool);
-  vtkBooleanMacro(ModifiedBoundary, bool);
-  ///@}
-
-  ///@{
-  /**
    * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
    * active normals of the output: unit normals of the limit surface, where Placement is LIMIT. They
    * are those of vtkMultiDimensionalSubdivision, which says what they are where there is no tangent
@@ -164,13 +141,11 @@ protected:
   bool CanInterpolate() const override { return this->Placement == LIMIT; }
   bool HasInterfaces() const override { return true; }
   int GetLayersOfCells() const override { return this->VolumeScheme == TET_OCT ? 3 : 2; }
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Placement = LINEAR;
   int VolumeScheme = BOX_SPLINE;
-  bool ModifiedBoundary = false;
   bool GenerateLimitNormals = false;
 
 private:

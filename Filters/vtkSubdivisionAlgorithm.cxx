@@ -453,6 +453,12 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   {
     return false;
   }
+  vtkDataArray* angles = nullptr;
+  if (!subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
+        { ANGLE_ARRAY, nullptr, false, true }, run.Warn, run.Fail, angles))
+  {
+    return false;
+  }
   subdivision::FeatureOptions& options = run.Features;
   options.Singular = arrays[SINGULAR_ARRAY];
   options.Material = arrays[MATERIAL_ARRAY];
@@ -471,6 +477,8 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   }
   options.DartEnds = this->CreaseEnd == DART;
   options.Weights = static_cast<subdivision::LoopWeights>(this->LoopWeights);
+  options.ModifiedBoundary = this->ModifiedBoundary;
+  options.CornerAngles = angles;
   options.Embedded = static_cast<subdivision::EmbeddedRule>(this->EmbeddedCells);
   options.PreserveInterfaces = this->PreserveInterfaces;
   options.DetectFeatures = this->DetectFeatures;
@@ -512,6 +520,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
   os << indent << "CreaseEnd: " << this->CreaseEnd << "\n";
   os << indent << "LoopWeights: " << this->LoopWeights << "\n";
+  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "EmbeddedCells: " << this->EmbeddedCells << "\n";
   os << indent << "PreserveInterfaces: " << this->PreserveInterfaces << "\n";
   os << indent << "InterfaceValues: " << this->InterfaceValues << "\n";

@@ -70,6 +70,11 @@
  * number, in part; infinite = flagged. With PreserveInterfaces a triangle of sharpness above 0 says
  * how long the interface is kept there. Unset: none.
  *
+ * @par Arrays read, by SetInputArrayToProcess
+ *  - 10, point array of angles of corners (property CornerAngleArray) for ModifiedBoundary, in
+ *    degrees, each of all sectors at the corner. Negative or not a number: the plain rule, in the
+ *    surface filters the angle that is measured. Unset: none.
+ *
  * @par Ghosts
  * Hidden cells, those that finer levels of AMR replace, and those at hidden points have no effect
  * and are not in the output. On several ranks, and in composite data sets, duplicate cells of the
@@ -109,12 +114,21 @@ public:
   vtkTypeMacro(vtkSubdivisionAlgorithm, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How solids are split and smoothed, in all filters with an option VolumeScheme.
-  enum VolumeSchemes
+  /// How meshes are split and smoothed, in all filters with an option Scheme, VolumeScheme or
+  /// SurfaceScheme. The first three are those of vtkMultiDimensionalSubdivision, from LINEAR on
+  /// those of vtkSurfaceSubdivision.
+  enum Schemes
   {
     BOX_SPLINE,
     TET_OCT,
-    LINEAR
+    LINEAR,
+    LOOP,
+    CATMULL_CLARK,
+    MODIFIED_BUTTERFLY,
+    DOO_SABIN,
+    MIDEDGE,
+    FOUR_EIGHT,
+    SQRT_THREE
   };
 
   ///@{
@@ -256,6 +270,25 @@ public:
   vtkGetMacro(LoopWeights, int);
   void SetLoopWeightsToWarren() { this->SetLoopWeights(WARREN_WEIGHTS); }
   void SetLoopWeightsToLoop() { this->SetLoopWeights(LOOP_WEIGHTS); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
+   * corners depend on the number of faces there (D. Zorin, survey in "Subdivision for Modeling and
+   * Animation"): a new point on an edge that ends on a border or crease has the weights of that
+   * sector, which is bounded by two edges that are not smooth. By the plain rules a surface is not
+   * smooth there from seven triangles on, and folds at concave corners. With three triangles both
+   * are the same, and on closed surfaces without creases. At corners the weights depend on the
+   * angle too, and from 180 degrees on new points move towards the plane of the two edges that
+   * bound the sector. The surface filters measure the angles or take them from the array at index
+   * 10; in all others a corner without an angle in this array has the plain rules. Limits, normals
+   * and tangents follow. For the schemes Loop and Catmull-Clark, and what has the surfaces of Loop;
+   * no effect where others move the points. On by default.
+   */
+  vtkSetMacro(ModifiedBoundary, bool);
+  vtkGetMacro(ModifiedBoundary, bool);
+  vtkBooleanMacro(ModifiedBoundary, bool);
   ///@}
 
   enum EmbeddedCellRules
@@ -586,7 +619,8 @@ protected:
     MATERIAL_ARRAY,
     PART_ARRAY,
     RULE_ARRAY,
-    SHARPNESS_ARRAY
+    SHARPNESS_ARRAY,
+    ANGLE_ARRAY = 10
   };
   /// Sets options.Features from the options above and the arrays of `input`. Returns false, after
   /// an error (passed to Fail), if an array cannot be used.
@@ -612,6 +646,7 @@ protected:
   vtkIdType MaximumNumberOfCells = 500000000;
   int CreaseEnd = CORNER;
   int LoopWeights = WARREN_WEIGHTS;
+  bool ModifiedBoundary = true;
   int EmbeddedCells = FOLLOW;
   bool PreserveInterfaces = false;
   int InterfaceValues = CONTINUOUS_VALUES;

@@ -167,9 +167,7 @@ int vtkSubdivisionDeformation::RequestData(
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
-  options.SurfaceScheme = this->SurfaceScheme == CATMULL_CLARK
-    ? subdivision::SurfaceSchemeKind::CatmullClark
-    : subdivision::SurfaceSchemeKind::Loop;
+  options.SurfaceScheme = static_cast<subdivision::SurfaceSchemeKind>(this->SurfaceScheme);
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
   subdivision::ReadSharedOptions(this, options);

@@ -17,8 +17,7 @@
  *
  * @par Control meshes in a plane
  * A control mesh without solids, such as one in the plane of an image, holds the points that lie on
- * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision, with the
- * plain rules next to boundaries and creases (ModifiedBoundary off, its default). With
+ * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision. With
  * CATMULL_CLARK it is subdivided as by vtkSurfaceSubdivision with its scheme of this name and its
  * other defaults: polygons of any size become quads, creases and corners follow flags and
  * sharpness (arrays 0 and 4), PreserveInterfaces and DetectFeatures, and boundary points of one
@@ -144,15 +143,10 @@ public:
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
   ///@}
 
-  enum SurfaceSchemes
-  {
-    LOOP,
-    CATMULL_CLARK
-  };
   ///@{
   /**
-   * How the surfaces of a control mesh are split and smoothed: LOOP (0, the default; quads and
-   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (1; polygons become
+   * How the surfaces of a control mesh are split and smoothed: LOOP (3, the default; quads and
+   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (4; polygons become
    * quads, for control meshes without solids), see above.
    */
   vtkSetClampMacro(SurfaceScheme, int, LOOP, CATMULL_CLARK);

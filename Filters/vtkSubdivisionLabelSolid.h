@@ -68,7 +68,7 @@
 #ifndef vtkSubdivisionLabelSolid_h
 #define vtkSubdivisionLabelSolid_h
 
-#include "vtkSubdivisionAlgorithm.h"     // for VolumeSchemes
+#include "vtkSubdivisionAlgorithm.h"     // for Schemes
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 

@@ -3,7 +3,6 @@
 
 #include "Private/Distribution/Blocks.h"
 #include "Private/Places/PlaceOutput.h"
-#include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -57,15 +56,6 @@ int vtkSubdivisionLimitProbe::RequestDataObject(
   return 1;
 }
 
-bool vtkSubdivisionLimitProbe::ReadFeatureOptions(
-  vtkPointSet* input, subdivision::RunOptions& options)
-{
-  options.Features.ModifiedBoundary = this->ModifiedBoundary;
-  return this->Superclass::ReadFeatureOptions(input, options) &&
-    subdivision::FindCornerAngles(
-      this, input, options.Warn, options.Fail, options.Features.CornerAngles);
-}
-
 int vtkSubdivisionLimitProbe::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -107,10 +97,7 @@ int vtkSubdivisionLimitProbe::RequestData(
   if (this->IsOfSurfaces())
   {
     subdivision::SurfaceOptions options;
-    options.Scheme = this->SurfaceScheme == CATMULL_CLARK
-      ? subdivision::SurfaceSchemeKind::CatmullClark
-      : subdivision::SurfaceSchemeKind::Loop;
-    options.ModifiedBoundary = this->ModifiedBoundary;
+    options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
     return run(options,
       [&](vtkPointSet* input)
       {
@@ -118,13 +105,12 @@ int vtkSubdivisionLimitProbe::RequestData(
         {
           options.OutputPointsPrecision = DOUBLE_PRECISION;
         }
-        options.Angles = options.Features.CornerAngles;
         return subdivision::SubdivideSurface(
           vtkPolyData::SafeDownCast(input), options, request.Output);
       });
   }
   subdivision::UniformOptions options;
-  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
+  options.Scheme = subdivision::GetVolumeScheme(this->Scheme);
   return run(options,
     [&](vtkPointSet* input) { return subdivision::SubdivideUniformly(input, options, nullptr); });
 }
@@ -132,7 +118,5 @@ int vtkSubdivisionLimitProbe::RequestData(
 void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
-  os << indent << "SurfaceScheme: " << this->SurfaceScheme << "\n";
-  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
+  os << indent << "Scheme: " << this->Scheme << "\n";
 }

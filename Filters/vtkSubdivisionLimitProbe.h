@@ -5,10 +5,10 @@
  *
  * Finds for each point the place of the limit that is nearest to it, with all values there. The
  * limit is what vtkMultiDimensionalSubdivision makes of the input after infinitely many levels:
- * curves, surfaces, and solids by the same VolumeScheme. A point inside a solid is its own nearest
- * place: the filter finds from where in the control mesh it comes. With another SurfaceScheme it is
- * what vtkSurfaceSubdivision makes of the polygons and lines: quads and other polygons then keep
- * their own parameters.
+ * curves, surfaces, and solids. A point inside a solid is its own nearest place: the filter finds
+ * from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK it is what
+ * vtkSurfaceSubdivision makes of the polygons and lines: by CATMULL_CLARK quads and other polygons
+ * then keep their own parameters.
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -21,17 +21,10 @@
  * LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the place; `CellId`,
  * the cell of the control mesh with the place; `CellParameters`, the parameters of the place there
  * as EvaluateLimit of the same scheme has them. In simplices they are the weights of the second,
- * third and fourth point. They are -1 in cells that the scheme cuts: for LOOP all that are no
- * vertices, lines, triangles or tetrahedra. The arrays of the points at port 3 follow, with their
- * ids; one whose name is taken gets OfPlace at the end of it. Field arrays of both are there, those
- * of the control mesh where names are equal.
- *
- * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkMarkedSubdivisionAlgorithm:
- *  - 10, point array of angles of corners for ModifiedBoundary (property CornerAngleArray):
- *    numbers, in degrees, each of all sectors at the corner. Negative or not a number: the plain
- *    rule. Unset: none. With another SurfaceScheme than LOOP it is array 5 of
- *    vtkSurfaceSubdivision.
+ * third and fourth point. They are -1 in cells that the scheme cuts: but for CATMULL_CLARK all that
+ * are no vertices, lines, triangles or tetrahedra. The arrays of the points at port 3 follow, with
+ * their ids; one whose name is taken gets OfPlace at the end of it. Field arrays of both are there,
+ * those of the control mesh where names are equal.
  *
  * @par Method
  * For a point that lies in a solid a fine level on the limit tells where to begin. For all others
@@ -74,68 +67,38 @@ public:
 
   ///@{
   /**
-   * How the limit of solids is smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; no
-   * direction is preferred), see vtkMultiDimensionalSubdivision. Boundaries and creases are the
-   * same. With another SurfaceScheme than LOOP there are no solids.
+   * Whose limit it is. That of vtkMultiDimensionalSubdivision, with curves, surfaces and solids:
+   * BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids; boundaries
+   * and creases are the same) or LINEAR (2; the mesh itself). Or that of the polygons and lines by
+   * vtkSurfaceSubdivision, which measures angles of corners and joins seams: LOOP (3) or
+   * CATMULL_CLARK (4); a warning says that solids are left out.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
-  vtkGetMacro(VolumeScheme, int);
-  void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
-  void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
-  ///@}
-
-  enum SurfaceSchemes
-  {
-    LOOP,
-    CATMULL_CLARK,
-    LOOP_OF_SURFACES
-  };
-  ///@{
-  /**
-   * Whose limit it is: LOOP (0, the default; that of vtkMultiDimensionalSubdivision, which has
-   * solids, too), CATMULL_CLARK (1; that of vtkSurfaceSubdivision with Scheme = CATMULL_CLARK) or
-   * LOOP_OF_SURFACES (2; that of vtkSurfaceSubdivision with Scheme = LOOP, which is flat in concave
-   * sectors and joins seams). The latter two leave solids out with a warning, and their limit is
-   * that of vtkSurfaceSubdivision with the same ModifiedBoundary.
-   */
-  vtkSetClampMacro(SurfaceScheme, int, LOOP, LOOP_OF_SURFACES);
-  vtkGetMacro(SurfaceScheme, int);
-  void SetSurfaceSchemeToLoop() { this->SetSurfaceScheme(LOOP); }
-  void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }
-  void SetSurfaceSchemeToLoopOfSurfaces() { this->SetSurfaceScheme(LOOP_OF_SURFACES); }
-  ///@}
-
-  ///@{
-  /**
-   * Whether the rules of surfaces and of the boundaries of solids next to borders, creases and
-   * corners are those of vtkMultiDimensionalSubdivision with the same option, so that the limit is
-   * the one that it has. Off by default.
-   */
-  vtkSetMacro(ModifiedBoundary, bool);
-  vtkGetMacro(ModifiedBoundary, bool);
-  vtkBooleanMacro(ModifiedBoundary, bool);
+  vtkSetClampMacro(Scheme, int, BOX_SPLINE, CATMULL_CLARK);
+  vtkGetMacro(Scheme, int);
+  void SetSchemeToBoxSpline() { this->SetScheme(BOX_SPLINE); }
+  void SetSchemeToTetOct() { this->SetScheme(TET_OCT); }
+  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
+  void SetSchemeToLoop() { this->SetScheme(LOOP); }
+  void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
   ///@}
 
 protected:
   vtkSubdivisionLimitProbe();
   ~vtkSubdivisionLimitProbe() override;
 
-  bool IsOfSurfaces() const override { return this->SurfaceScheme != LOOP; }
+  bool IsOfSurfaces() const override { return this->Scheme >= LOOP; }
   bool HasOriginalCellIds() const override
   {
     return this->GenerateOriginalIds || this->IsOfSurfaces();
   }
   bool CanInterpolate() const override { return true; }
-  bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options) override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int VolumeScheme = BOX_SPLINE;
-  int SurfaceScheme = LOOP;
-  bool ModifiedBoundary = false;
+  int Scheme = BOX_SPLINE;
 
 private:
   vtkSubdivisionLimitProbe(const vtkSubdivisionLimitProbe&) = delete;

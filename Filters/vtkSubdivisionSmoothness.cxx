@@ -53,11 +53,8 @@ int vtkSubdivisionSmoothness::RequestData(
     options.SampleMaps = false; // the ids of cells do not depend on it
   }
   options.IsTetOct = this->Scheme == TET_OCT;
-  const bool isOfSurfaces = this->Scheme >= LOOP;
-  options.Scheme =
-    static_cast<subdivision::SurfaceSchemeKind>(isOfSurfaces ? this->Scheme - LOOP : 0);
-  options.ModifiedBoundary = this->ModifiedBoundary;
-  options.Features.ModifiedBoundary = this->ModifiedBoundaryOfSolids && !isOfSurfaces;
+  const bool isOfSurfaces = this->Scheme >= LINEAR;
+  options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
   return this->Run(inputVector, outputVector, options, nullptr,
     "the simplices of the input. Use a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)
@@ -84,8 +81,6 @@ void vtkSubdivisionSmoothness::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
-  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
-  os << indent << "ModifiedBoundaryOfSolids: " << this->ModifiedBoundaryOfSolids << "\n";
   os << indent << "SampleMaps: " << this->SampleMaps << "\n";
   os << indent << "FailingOnly: " << this->FailingOnly << "\n";
   os << indent << "MapOfCell: " << this->MapOfCell << "\n";

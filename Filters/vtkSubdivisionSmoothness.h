@@ -27,8 +27,8 @@
  * sector of a surface or a boundary at a vertex with d = 0 or 1, from one curve to the next, is a
  * cell of its own: there (23) has to hold with the eigenvalue of the curve (of both curves at a
  * corner) among l1 and l2, else the surface folds. With BOX_SPLINE and TET_OCT
- * these are the rules of vtkMultiDimensionalSubdivision, the boundary rule of the first paper, for
- * which sectors of six and more triangles fail.
+ * these are the rules of vtkMultiDimensionalSubdivision; with ModifiedBoundary off those of the
+ * first paper, for which sectors of six and more triangles fail.
  *
  * @par Edges and faces
  * Edges inside solids: the vertex in the middle, after one step, whose eigenvalues depend on the
@@ -55,9 +55,9 @@
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
  * vtkMarkedSubdivisionAlgorithm. All options of vtkSubdivisionAlgorithm that choose rules count;
  * surface schemes ignore those that vtkSurfaceSubdivision ignores, and leave solids out with a
- * warning. Angles of corners are those of the mesh. A crease or surface that is sharp to a finite
- * degree has the rules that it has when it has become smooth. Output of a subdivision filter has
- * the rules of its next level.
+ * warning. With BOX_SPLINE and TET_OCT corners have the plain rules here, whatever their angle. A
+ * crease or surface that is sharp to a finite degree has the rules that it has when it has become
+ * smooth. Output of a subdivision filter has the rules of its next level.
  *
  * @par Output
  * A vtkUnstructuredGrid. Points: all points of the input with their ids and arrays, then centres of
@@ -134,58 +134,25 @@ public:
   /// The output.
   vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
 
-  enum Schemes
-  {
-    BOX_SPLINE,
-    TET_OCT,
-    LOOP,
-    MODIFIED_BUTTERFLY,
-    CATMULL_CLARK,
-    DOO_SABIN,
-    MIDEDGE,
-    FOUR_EIGHT,
-    SQRT_THREE
-  };
   ///@{
   /**
    * The scheme that is examined: BOX_SPLINE (0, the default) and TET_OCT (1) of
-   * vtkMultiDimensionalSubdivision, with curves and surfaces, or LOOP (2), MODIFIED_BUTTERFLY (3),
-   * CATMULL_CLARK (4), DOO_SABIN (5), MIDEDGE (6), FOUR_EIGHT (7), SQRT_THREE (8) of
-   * vtkSurfaceSubdivision.
+   * vtkMultiDimensionalSubdivision, with curves and surfaces, or LINEAR (2; fails at edges), LOOP
+   * (3), CATMULL_CLARK (4), MODIFIED_BUTTERFLY (5), DOO_SABIN (6), MIDEDGE (7), FOUR_EIGHT (8),
+   * SQRT_THREE (9) of vtkSurfaceSubdivision.
    */
   vtkSetClampMacro(Scheme, int, BOX_SPLINE, SQRT_THREE);
   vtkGetMacro(Scheme, int);
   void SetSchemeToBoxSpline() { this->SetScheme(BOX_SPLINE); }
   void SetSchemeToTetOct() { this->SetScheme(TET_OCT); }
+  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
-  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
   void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
+  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
   void SetSchemeToDooSabin() { this->SetScheme(DOO_SABIN); }
   void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
   void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
   void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
-  ///@}
-
-  ///@{
-  /**
-   * As in vtkSurfaceSubdivision: whether LOOP and CATMULL_CLARK have the rules for edges that end
-   * on boundaries and creases which keep the surface smooth there. Other schemes ignore it. On by
-   * default.
-   */
-  vtkSetMacro(ModifiedBoundary, bool);
-  vtkGetMacro(ModifiedBoundary, bool);
-  vtkBooleanMacro(ModifiedBoundary, bool);
-  ///@}
-
-  ///@{
-  /**
-   * The same for BOX_SPLINE and TET_OCT: whether sectors at borders and creases have the rules of
-   * vtkMultiDimensionalSubdivision with its option ModifiedBoundary. Corners have the plain rules,
-   * as without an angle. Off by default, as there.
-   */
-  vtkSetMacro(ModifiedBoundaryOfSolids, bool);
-  vtkGetMacro(ModifiedBoundaryOfSolids, bool);
-  vtkBooleanMacro(ModifiedBoundaryOfSolids, bool);
   ///@}
 
   ///@{
@@ -235,8 +202,6 @@ protected:
     vtkInformationVector* outputVector) override;
 
   int Scheme = BOX_SPLINE;
-  bool ModifiedBoundary = true;
-  bool ModifiedBoundaryOfSolids = false;
   bool SampleMaps = false;
   bool FailingOnly = false;
   vtkIdType MapOfCell = -1;

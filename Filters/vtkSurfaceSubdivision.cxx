@@ -69,20 +69,6 @@ bool vtkSurfaceSubdivision::EvaluateLimit(
   return result->GetNumberOfPoints() == cells->GetNumberOfTuples();
 }
 
-bool vtkSurfaceSubdivision::ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options)
-{
-  auto find = [&](const subdivision::ArrayRequest& request, auto& result)
-  {
-    vtkDataArray* array = nullptr;
-    const bool usable = subdivision::FindInputArray(this, input->GetPointData(),
-      input->GetNumberOfPoints(), request, options.Warn, options.Fail, array);
-    result = array;
-    return usable;
-  };
-  return find({ 5, nullptr, false, true }, options.Angles) &&
-    find({ 6, nullptr, false, true }, options.Flatness);
-}
-
 bool vtkSurfaceSubdivision::WritesBezierCells() const
 {
   return this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places &&
@@ -126,7 +112,6 @@ int vtkSurfaceSubdivision::RequestData(
   subdivision::SurfaceOptions options;
   options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
   options.Levels = this->NumberOfLevels;
-  options.ModifiedBoundary = this->ModifiedBoundary;
   const bool writesBezierCells = this->WritesBezierCells();
   if (this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places && !writesBezierCells)
   {
@@ -179,8 +164,12 @@ int vtkSurfaceSubdivision::RequestData(
           }
           auto* from = vtkPolyData::SafeDownCast(input);
           auto* to = vtkPolyData::SafeDownCast(output);
-          return this->ReadArrays(input, options) &&
-            subdivision::SubdivideSurface(from, options, to) &&
+          vtkDataArray* flatness = nullptr;
+          const bool isRead =
+            subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
+              { FLATNESS_ARRAY, nullptr, false, true }, options.Warn, options.Fail, flatness);
+          options.Flatness = flatness;
+          return isRead && subdivision::SubdivideSurface(from, options, to) &&
             (!addsBounds || subdivision::AddSurfaceBounds(from, options, to));
         });
     });
@@ -191,7 +180,6 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
-  os << indent << "ModifiedBoundary: " << this->ModifiedBoundary << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";

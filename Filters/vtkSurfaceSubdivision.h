@@ -12,11 +12,11 @@
  * sqrt(3) L. Kobbelt, "sqrt(3)-Subdivision". Next to a boundary, crease or corner the rules depend
  * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
  * around are also flattened, so that the surface does not fold (section 3.2). ModifiedBoundary off
- * gives the plain rules, which vtkMultiDimensionalSubdivision always has. For Loop the two filters
- * agree on closed surfaces without creases and, with ModifiedBoundary off, on all others, also
- * where parts meet, but for four things: here a boundary counts like a crease where creases meet
- * it; flagged polygons at boundaries and joints do not replace these; equal faces count as two; and
- * the last level of a sharpness that is no whole number has other weights.
+ * gives the plain rules. Loop is that of vtkMultiDimensionalSubdivision, also where parts meet, but
+ * that here a boundary counts like a crease where creases meet it, flagged polygons at boundaries
+ * and joints do not replace these, equal faces count as two, the angles of corners are measured
+ * (there they are those of the array at index 10 alone), and the last level of a sharpness that is
+ * no whole number has other weights.
  *
  * @par Modified Butterfly
  * Section 4 of the survey. Points stay, because the scheme interpolates, and are on the limit. New
@@ -102,9 +102,8 @@
  * and such vertices as corners. Surfaces need not be orientable. Equal faces count as two.
  *
  * @par Arrays read, by SetInputArrayToProcess
- * Besides flags and sharpness of lines (0 and 4, see vtkSubdivisionAlgorithm):
- *  - 5, corner angles: point array, in degrees. Where it is not negative it replaces the measured
- *    angle of a corner with one sector. Unset: none.
+ * Besides flags and sharpness of lines (0 and 4, see vtkSubdivisionAlgorithm), and angles of
+ * corners with one sector (10):
  *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones what
  *    makes them tangent plane continuous. Unset: none.
  *
@@ -167,7 +166,6 @@ namespace subdivision
 class BezierRounds;
 class SurfaceCache;
 struct PlaceRequest;
-struct SurfaceOptions;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkMarkedSubdivisionAlgorithm
@@ -181,34 +179,23 @@ public:
   /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
-  enum Schemes
-  {
-    LOOP,
-    MODIFIED_BUTTERFLY,
-    CATMULL_CLARK,
-    DOO_SABIN,
-    MIDEDGE,
-    FOUR_EIGHT,
-    SQRT_THREE,
-    LINEAR
-  };
   ///@{
   /**
-   * The scheme: LOOP (0, the default; triangles to 4), MODIFIED_BUTTERFLY (1; triangles to 4,
-   * interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN (3; dual), MIDEDGE
-   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4), SQRT_THREE (6; triangles to 3) or
-   * LINEAR (7; triangles to 4, not smoothed: points stay, new ones are midpoints).
+   * The scheme: LINEAR (2; triangles to 4, not smoothed: points stay, new ones are midpoints), LOOP
+   * (3, the default; triangles to 4), CATMULL_CLARK (4; polygons to quads), MODIFIED_BUTTERFLY (5;
+   * triangles to 4, interpolates the points), DOO_SABIN (6; dual), MIDEDGE (7; dual), FOUR_EIGHT
+   * (8; two steps split a quad into 4) or SQRT_THREE (9; triangles to 3).
    */
-  vtkSetClampMacro(Scheme, int, LOOP, LINEAR);
+  vtkSetClampMacro(Scheme, int, LINEAR, SQRT_THREE);
   vtkGetMacro(Scheme, int);
+  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
-  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
   void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
+  void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
   void SetSchemeToDooSabin() { this->SetScheme(DOO_SABIN); }
   void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
   void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
   void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
-  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   ///@}
 
   ///@{
@@ -217,17 +204,6 @@ public:
    */
   vtkSetClampMacro(NumberOfLevels, int, 0, 20);
   vtkGetMacro(NumberOfLevels, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether the rules near boundaries, creases and corners depend on the number of faces and the
-   * angle there, without which surfaces are not smooth at boundary vertices of many faces and fold
-   * at concave corners. On by default; off gives the plain rules.
-   */
-  vtkSetMacro(ModifiedBoundary, bool);
-  vtkGetMacro(ModifiedBoundary, bool);
-  vtkBooleanMacro(ModifiedBoundary, bool);
   ///@}
 
   ///@{
@@ -422,6 +398,10 @@ protected:
   bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
   bool HasOriginalCellIds() const override { return this->GenerateOriginalIds || this->Places; }
   bool CanInterpolate() const override { return true; }
+  enum SurfaceArrayIndices
+  {
+    FLATNESS_ARRAY = 6
+  };
   int GetLayersOfCells() const override;
   bool HasInterfaces() const override
   {
@@ -439,7 +419,6 @@ protected:
 
   int Scheme = LOOP;
   int NumberOfLevels = 1;
-  bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
@@ -451,7 +430,6 @@ protected:
   bool Use32BitIds = false;
 
 private:
-  bool ReadArrays(vtkPointSet* input, subdivision::SurfaceOptions& options);
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
 

@@ -72,10 +72,8 @@ function (read_proxy name)
   else ()
     set(file "${descriptions_source}/${name}.xml")
   endif ()
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}" "${descriptions_source}/Interpolation.xml.in"
-    "${descriptions_source}/ModifiedBoundary.xml.in")
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}" "${descriptions_source}/Interpolation.xml.in")
   file(READ "${descriptions_source}/Interpolation.xml.in" INTERPOLATION)
-  file(READ "${descriptions_source}/ModifiedBoundary.xml.in" MODIFIED_BOUNDARY)
   file(READ "${file}" text)
   if (text MATCHES "@REFINEMENT@") # the criteria, in front of what else the filter has
     read_proxy(RefinementAlgorithm)

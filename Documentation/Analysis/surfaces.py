@@ -186,11 +186,11 @@ def dual_map(scheme, k):
     return ["-", "-", "-"] if regular < 0 else [yes(regular), yes(injective), str(count)]
 
 
-def dual(scheme, smoothness, k, steps, expected):
+def dual(scheme, k, steps, expected):
     values = spectrum(dual_matrix(scheme, k, steps))
     around = max((values + [0.] * 4)[3], 1 / 4)  # the faces around have second derivatives, which steps quarter
     return [number(value) for value in (values + [0.] * 4)[1:4]] + [
-        number(expected(k)), yes(is_interior(values[:3] + [around]))] + dual_map(smoothness, k)
+        number(expected(k)), yes(is_interior(values[:3] + [around]))] + dual_map(scheme, k)
 
 
 DIFFERENCES = """Why sqrt(3) is C^2 on regular meshes, by the appendix of [K]. *S* is what steps do to the points up to some
@@ -295,12 +295,12 @@ def make_pages():
               [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
-              [Row(str(k), lambda k=k: dual(DOO_SABIN, vtkSubdivisionSmoothness.DOO_SABIN, k, 1,
+              [Row(str(k), lambda k=k: dual(DOO_SABIN, k, 1,
                                             lambda _: 1 / 2)) for k in range(3, 51)], *spectrum_plot("Doo-Sabin")),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
               "and the condition fails. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
-              [Row(str(k), lambda k=k: dual(MIDEDGE, vtkSubdivisionSmoothness.MIDEDGE, k, 2,
+              [Row(str(k), lambda k=k: dual(MIDEDGE, k, 2,
                                             midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"))],
         draw_others, OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]

@@ -157,7 +157,8 @@ TEST(Partitions, GiveTheWholeOfSurfaces)
   for (size_t m = 0; m < meshes.size(); m += 3)
   {
     const Mesh surface = MakeSkin(meshes[m]);
-    for (int scheme = 0; scheme < 7; ++scheme)
+    for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= vtkSubdivisionAlgorithm::SQRT_THREE;
+      ++scheme)
     {
       for (const SurfaceChoice& choice : SurfaceChoices)
       {
@@ -281,7 +282,8 @@ TEST(Partitions, OfALargeMeshAreNotTheWhole)
     ExpectWhole(whole, SubdivideParts(Cut(box, halves), halves, options));
   }
   const Mesh skin = MakeSkin(MakeMixedBox(16));
-  for (int scheme = 0; scheme < 7; ++scheme)
+  for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= vtkSubdivisionAlgorithm::SQRT_THREE;
+    ++scheme)
   {
     SCOPED_TRACE(scheme);
     subdivision::SurfaceOptions options;

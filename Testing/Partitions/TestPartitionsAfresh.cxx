@@ -25,8 +25,9 @@ using subdivision::SurfaceSchemeKind;
 namespace
 {
 
-constexpr int FirstScheme = 3; ///< of those that do not halve edges
-constexpr int NumberOfSchemes = 7;
+/// Of those that do not halve edges.
+constexpr int FirstScheme = vtkSubdivisionAlgorithm::DOO_SABIN;
+constexpr int NumberOfSchemes = 4;
 constexpr const char* AnglesName = "Angles";
 constexpr const char* Names[] = { "DooSabin", "Midedge", "FourEight", "SqrtThree" };
 
@@ -43,7 +44,7 @@ SurfaceOptions MakeOptions(int scheme, int levels)
 
 bool Run(vtkPointSet* input, SurfaceOptions options, vtkPointSet* output)
 {
-  options.Angles = input->GetPointData()->GetArray(AnglesName);
+  options.Features.CornerAngles = input->GetPointData()->GetArray(AnglesName);
   return SubdivideSurface(
     vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
 }
@@ -129,7 +130,7 @@ void ForSurfaces(bool all, const Test& test)
     ++meshes; // each scheme has each partition, with other meshes
     const Mesh surface = MakeSkin(mesh);
     AddAngles(surface);
-    for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
+    for (int scheme = FirstScheme; scheme < FirstScheme + NumberOfSchemes; ++scheme)
     {
       ++turn;
       for (size_t p = 0; p < std::size(CommonPartitions); ++p)
@@ -190,8 +191,7 @@ TEST(PartitionsAfresh, FiltersStartAndSayIt)
       const std::vector<std::vector<int>> splits = { { 1, 1 }, { 1, 2 }, { 2, 1 }, { 1, 1, 1 } };
       // Each scheme has each of them, with other meshes.
       const size_t run = turn++ / std::size(CommonPartitions);
-      const std::vector<int>& split =
-        splits[(run + run / (NumberOfSchemes - FirstScheme)) % splits.size()];
+      const std::vector<int>& split = splits[(run + run / NumberOfSchemes) % splits.size()];
       std::vector<SurfaceOptions> filters;
       for (const int count : split)
       {
@@ -210,7 +210,8 @@ TEST(PartitionsAfresh, GiveWayToOtherSchemes)
   ForSurfaces(false,
     [](const Mesh& mesh, int scheme, const Partition& partition)
     {
-      const int other = FirstScheme + (scheme + 1 - FirstScheme) % 2 + (scheme < 5 ? 0 : 2);
+      const int other = FirstScheme + (scheme + 1 - FirstScheme) % 2 +
+        (scheme < vtkSubdivisionAlgorithm::FOUR_EIGHT ? 0 : 2);
       const std::vector<SurfaceOptions> filters = { MakeOptions(scheme, 1), MakeOptions(other, 1) };
       ExpectWhole(
         Subdivide(mesh, filters), SubdivideParts(Cut(mesh, partition), partition, filters));
@@ -228,7 +229,7 @@ TEST(PartitionsAfresh, GiveWayToAdaptiveRefinement)
         return; // slabs have the most layers
       }
       SurfaceOptions first = MakeOptions(scheme, 1);
-      SurfaceOptions second = MakeOptions(6, 0);
+      SurfaceOptions second = MakeOptions(vtkSubdivisionAlgorithm::SQRT_THREE, 0);
       second.Warn = [](const std::string&) {};
       subdivision::RefinementOptions criteria;
       criteria.ByCurvature = true;
@@ -334,7 +335,7 @@ TEST(PartitionsAfresh, MayBeEmpty)
 TEST(PartitionsAfresh, WarnWhereCellsMoved)
 {
   const Mesh surface = MakeSkin(MakeMeshes()[0]);
-  for (int scheme = FirstScheme; scheme < NumberOfSchemes; ++scheme)
+  for (int scheme = FirstScheme; scheme < FirstScheme + NumberOfSchemes; ++scheme)
   {
     const SurfaceOptions first = MakeOptions(scheme, 1);
     // All cells on the first rank, whose field data know only half of them.

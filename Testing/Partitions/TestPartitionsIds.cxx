@@ -206,17 +206,18 @@ void ForCases(const Test& test)
   }
 }
 
-constexpr int SchemesThatGoOn = 3; ///< the others: TestPartitionsAfresh.cxx
+/// The last that goes on; those after it: TestPartitionsAfresh.cxx.
+constexpr int LastThatGoesOn = vtkSubdivisionAlgorithm::MODIFIED_BUTTERFLY;
 
 /// The same for surfaces, with lines and vertices. test(mesh, scheme, findsFeatures, partition).
 template <typename Test>
-void ForSurfaces(const Test& test, int schemes = 7)
+void ForSurfaces(const Test& test, int last = vtkSubdivisionAlgorithm::SQRT_THREE)
 {
   size_t turn = 0;
   for (const Mesh& mesh : MakeMeshes())
   {
     const Mesh surface = MakeSkin(mesh);
-    for (int scheme = 0; scheme < schemes; ++scheme)
+    for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= last; ++scheme)
     {
       const bool findsFeatures = turn % 2 == 1;
       const Partition& partition = Partitions[turn++ % std::size(Partitions)];
@@ -351,7 +352,7 @@ TEST(PartitionsIds, LetFiltersOfSurfacesGoOn)
       ExpectWhole(whole, parts);
       ExpectIndices(whole, parts);
     },
-    SchemesThatGoOn);
+    LastThatGoesOn);
 }
 
 TEST(PartitionsIds, PartsAgreeThatMarksStartAfresh)
@@ -373,7 +374,7 @@ TEST(PartitionsIds, PartsAgreeThatMarksStartAfresh)
       ExpectWhole(whole, parts);
       ExpectIndices(whole, parts);
     },
-    SchemesThatGoOn);
+    LastThatGoesOn);
 }
 
 namespace

@@ -152,7 +152,8 @@ TEST(PartitionsInterpolation, GiveTheWholeOfSurfaces)
   for (std::size_t m = 0; m < meshes.size(); m += 3)
   {
     const Mesh surface = MakeSkin(meshes[m]);
-    for (int scheme = 0; scheme < 8; ++scheme)
+    for (int scheme = vtkSubdivisionAlgorithm::LINEAR;
+      scheme <= vtkSubdivisionAlgorithm::SQRT_THREE; ++scheme)
     {
       for (const Choice& choice : Choices)
       {

@@ -139,9 +139,6 @@ class Header:
         """The array indices of the code, each with a word for what is there."""
         for index, target in re.findall(r"find\(\{ (\d+),[^}]*\}, options\.(?:Features\.)?(\w+)\)", source):
             yield int(index), target.rstrip("s").lower()
-        if "FindCornerAngles(" in source:
-            shared = (ROOT / "Filters/Private/Reading/InputArrays.h").read_text(encoding="utf-8")
-            yield int(re.search(r"CornerAngleArray = (\d+)", shared).group(1)), "angle"
         for body in re.findall(r"enum \w+\s*\{([^}]*_ARRAY[^}]*)\}", declaration):
             index = -1
             for name, value in re.findall(r"(\w+)_ARRAY(?: = (\d+))?", body):

@@ -24,10 +24,12 @@ CUTS = {"slabs": (ranks.in_slabs, True), "cell by cell": (ranks.by_chance, True)
 SOLID = [("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2}),
          ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 1, "VolumeScheme": 1, "ProjectToLimit": 1,
                                              "GenerateClassification": 1, "DetectFeatures": 1}),
-         ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2, "ModifiedBoundary": 1, "DetectFeatures": 1})]
-SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == 0),
+         ("vtkMultiDimensionalSubdivision", {"NumberOfLevels": 2, "ModifiedBoundary": 0, "DetectFeatures": 1})]
+LOOP = subdivisionobjects.vtkSurfaceSubdivision.LOOP
+SCHEMES = range(LOOP, subdivisionobjects.vtkSurfaceSubdivision.SQRT_THREE + 1)
+SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == LOOP),
                                       "GenerateGlobalIds": 1})
-           for scheme in range(7)]
+           for scheme in SCHEMES]
 RED_GREEN = [("vtkRedGreenRefinement", {"RefineByAttributeError": 0, "RefineByEdgeLength": 1, "MaximumEdgeLength": 0.4,
                                         "MaximumLevel": 3, "GenerateGlobalIds": 1})]
 LIMITS = [("vtkRedGreenRefinement", dict(RED_GREEN[0][1], Placement=1, VolumeScheme=scheme, MaximumLevel=2, **options))
@@ -272,11 +274,11 @@ def run():
     check_filters_in_a_row(checks, block, JUMPING, with_ids=0)  # they are those of points, not of copies
     skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
     checks.cut(skin, SURFACE + ADAPTIVE)
-    checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])
+    checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[1])])
     check_filters_in_a_row(checks, skin, INTERPOLATED, "vtkSurfaceSubdivision")
     check_files(checks)
-    for scheme in range(7):
-        if scheme < 3 or ranks.RANKS == 1:
+    for scheme in SCHEMES:
+        if scheme <= subdivisionobjects.vtkSurfaceSubdivision.MODIFIED_BUTTERFLY or ranks.RANKS == 1:
             check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
         else:
             check_filters_afresh(checks, skin, scheme)

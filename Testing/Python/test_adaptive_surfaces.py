@@ -50,8 +50,7 @@ class InParaView(unittest.TestCase):
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
         self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PartArray", "RuleArray",
                                                "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
-                                               "InterpolationWeight", "VolumeScheme", "ModifiedBoundary",
-                                               "CornerAngleArray"})
+                                               "InterpolationWeight", "VolumeScheme"})
         self.assertEqual(adaptive - redgreen, {"GenerateTangents", "Use32BitIds"})
 
     def test_selection(self):

@@ -146,12 +146,11 @@ class Proxies(unittest.TestCase):
     def test_own_properties_stand_first(self):
         """Then those that filters share. Of these a filter replaces some, where they stand."""
         shared = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
-        boundary = (PLUGIN / "ModifiedBoundary.xml.in").read_text(encoding="utf-8")
         criteria = (PLUGIN / "RefinementAlgorithm.xml").read_text(encoding="utf-8")
         criteria = criteria[criteria.index("      </Documentation>\n") + 23:criteria.index("    </SourceProxy>")]
         for name in FILTERS:
             text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
-            text = text.replace("@REFINEMENT@", criteria).replace("@MODIFIED_BOUNDARY@", boundary)
+            text = text.replace("@REFINEMENT@", criteria)
             elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
                         if element.get("command")]
             own = {element.get("name") for element in elements if not element.get("override")} - {"Input"}
@@ -336,8 +335,8 @@ class Proxies(unittest.TestCase):
             found = vtk_to_numpy(updated(made).GetPoints().GetData())
             return found[np.lexsort(np.round(found, 9).T)]  # points of edges have another order in each filter
 
-        plain = points(simple.MultidimensionalSubdivision)
-        modified = points(simple.MultidimensionalSubdivision, ModifiedBoundary=1)
+        plain = points(simple.MultidimensionalSubdivision, ModifiedBoundary=0)
+        modified = points(simple.MultidimensionalSubdivision)
         np.testing.assert_allclose(modified, points(simple.SurfaceSubdivision, Scheme="Loop"), atol=1e-12)
         np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", ModifiedBoundary=0),
                                    atol=1e-12)

@@ -185,9 +185,8 @@ class Arrays(unittest.TestCase):
 def proxies():
     """Of each proxy of a concrete class: name, class, and properties with those of its base proxies."""
     texts = [path.read_text(encoding="utf-8") for path in sorted(PLUGIN.glob("*.xml"))]
-    for mark, file in (("INTERPOLATION", "Interpolation"), ("MODIFIED_BOUNDARY", "ModifiedBoundary")):
-        pasted = (PLUGIN / f"{file}.xml.in").read_text(encoding="utf-8")
-        texts = [text.replace(f"@{mark}@", pasted) for text in texts]
+    interpolation = (PLUGIN / "Interpolation.xml.in").read_text(encoding="utf-8")
+    texts = [text.replace("@INTERPOLATION@", interpolation) for text in texts]
     for_solids = (PLUGIN / "SolidOptions.xml.in").read_text(encoding="utf-8")
     texts += [for_solids.replace("@KIND@", kind) for kind in ("Subdivision", "MarkedSubdivision", "Refinement")]
     found = {proxy.get("name"): proxy for text in texts

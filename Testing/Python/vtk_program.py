@@ -23,8 +23,8 @@ DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
 SHIP = str(DATA / "Ship.vtu")
 # What the panels do not show either.
 HIDDEN = {"vtkSurfaceSubdivision": {"EmbeddedCells"},
-          "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights"},
-          "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights"},
+          "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights", "ModifiedBoundary"},
+          "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights", "ModifiedBoundary"},
           "vtkSubdivisionLimitProbe": {"InterfaceValues"}, "vtkSubdivisionSmoothness": {"InterfaceValues"},
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}

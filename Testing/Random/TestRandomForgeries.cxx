@@ -139,7 +139,10 @@ vtkSmartPointer<vtkDataObject> RefineSurface(vtkDataObject* input, Chance& chanc
   return Update(filter.Get(), input);
 }
 
-constexpr int NumberOfSchemes = 8;
+int DrawScheme(Chance& chance)
+{
+  return vtkSurfaceSubdivision::LINEAR + Draw(chance, 8);
+}
 
 // ------------------------------------------------------------------------------------------------
 // Forgeries
@@ -319,7 +322,7 @@ void RunAny(vtkDataObject* forged, Chance& chance)
     {
       deformation_tools::Deformer filter;
       filter->SetMaximumNumberOfCells(100000);
-      filter->SetSurfaceScheme(Draw(chance, 2));
+      filter->SetSurfaceScheme(vtkSurfaceSubdivision::LOOP + Draw(chance, 2));
       filter->SetVolumeScheme(Draw(chance, 2));
       filter->SetNumberOfLevels(Draw(chance, 3));
       filter.Run(deformation_tools::MakeCloud(5, { 0, 0, 0 }, { 1, 1, 1 }, 1), forged, forged);
@@ -332,7 +335,7 @@ void RunAny(vtkDataObject* forged, Chance& chance)
       break;
     }
     default:
-      SubdivideSurface(forged, Draw(chance, NumberOfSchemes), chance);
+      SubdivideSurface(forged, DrawScheme(chance), chance);
   }
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
   EXPECT_LT(GetPeakMegabytes() - before, 100) << which;
@@ -370,7 +373,7 @@ TEST(RandomForgeries, Surfaces)
       std::advance(model, Draw(chance, static_cast<int>(zoo.size())));
       const auto surface = surfacetools::MakeInput(model->second);
       AddMaterials(surface);
-      const int scheme = Draw(chance, NumberOfSchemes);
+      const int scheme = DrawScheme(chance);
       auto made = SubdivideSurface(surface, scheme, chance);
       ForgeSome(made, chance);
       if (Draw(chance, 2) == 0)
@@ -425,7 +428,7 @@ TEST(RandomForgeries, Blocks)
           AddMaterials(vtkPointSet::SafeDownCast(blocks->GetBlock(b)));
         }
       }
-      const int scheme = Draw(chance, NumberOfSchemes);
+      const int scheme = DrawScheme(chance);
       auto made = areGrids
         ? (Draw(chance, 2) == 0 ? Subdivide(blocks, chance) : Refine(blocks, chance))
         : SubdivideSurface(blocks, scheme, chance);

@@ -61,7 +61,15 @@ Matrix::Matrix(vtkUnstructuredGrid* input, const Configure& configure, Messages*
     impulses->SetComponent(i, static_cast<int>(i), 1.);
   }
   copy->GetPointData()->AddArray(impulses);
-  this->Output = Execute(copy, 1, configure, messages);
+  const auto plain = [&](Filter* filter)
+  {
+    filter->ModifiedBoundaryOff(); // masks are those of the paper
+    if (configure)
+    {
+      configure(filter);
+    }
+  };
+  this->Output = Execute(copy, 1, plain, messages);
   this->Edges = GetEdges(this->Output);
 }
 

@@ -33,8 +33,8 @@ struct Plain
 /// Solids of the tet/oct scheme.
 struct TetOct
 {
-  template <typename Filter>
-  void operator()(Filter* filter) const
+  void operator()(vtkSubdivisionLimitProbe* filter) const { filter->SetSchemeToTetOct(); }
+  void operator()(vtkMultiDimensionalSubdivision* filter) const
   {
     filter->SetVolumeSchemeToTetOct();
   }

@@ -287,6 +287,7 @@ int GetRegularFaces(SurfaceSchemeKind scheme)
 {
   switch (scheme)
   {
+    case SurfaceSchemeKind::Linear:
     case SurfaceSchemeKind::Loop:
     case SurfaceSchemeKind::ModifiedButterfly:
     case SurfaceSchemeKind::SqrtThree:

@@ -54,7 +54,7 @@ public:
     , Cells(cells)
     , Others(others)
     , Output(output)
-    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.ModifiedBoundary))
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.Features.ModifiedBoundary))
   {
     this->NoCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   }

@@ -119,15 +119,4 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
   return true;
 }
 
-bool FindCornerAngles(vtkAlgorithm* algorithm, vtkPointSet* input,
-  const std::function<void(const std::string&)>& warn,
-  const std::function<void(const std::string&)>& fail, vtkSmartPointer<vtkDataArray>& array)
-{
-  vtkDataArray* found = nullptr;
-  const bool isUsable = FindInputArray(algorithm, input->GetPointData(), input->GetNumberOfPoints(),
-    { CornerAngleArray, nullptr, false, true }, warn, fail, found);
-  array = found;
-  return isUsable;
-}
-
 }

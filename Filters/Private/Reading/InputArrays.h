@@ -40,15 +40,6 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
   const ArrayRequest& request, const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail, vtkDataArray*& array);
 
-/// The index of the point array with the angles of corners, in the filters of solids that have
-/// ModifiedBoundary.
-constexpr int CornerAngleArray = 10;
-
-/// Finds it.
-bool FindCornerAngles(vtkAlgorithm* algorithm, vtkPointSet* input,
-  const std::function<void(const std::string&)>& warn,
-  const std::function<void(const std::string&)>& fail, vtkSmartPointer<vtkDataArray>& array);
-
 }
 
 #endif

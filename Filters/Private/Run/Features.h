@@ -34,7 +34,7 @@ struct FeatureOptions
 {
   bool DartEnds = false;
   LoopWeights Weights = LoopWeights::Warren;
-  bool ModifiedBoundary = false; ///< SectorEdges.h
+  bool ModifiedBoundary = true; ///< SectorEdges.h
   EmbeddedRule Embedded = EmbeddedRule::Follow;
   bool PreserveInterfaces = false;
   bool DetectFeatures = false;

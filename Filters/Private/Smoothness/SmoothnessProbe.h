@@ -27,7 +27,6 @@ struct SmoothnessOptions : RunOptions
   bool IsTetOct = false;
   // Of surfaces:
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
-  bool ModifiedBoundary = true;
 };
 
 /// By the rules of vtkMultiDimensionalSubdivision. Returns false after an error (passed to Fail) or

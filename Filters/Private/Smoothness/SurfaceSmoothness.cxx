@@ -84,7 +84,7 @@ private:
     star = SurfaceStar();
     this->HasStar = true;
     star.Scheme = this->Options.Scheme;
-    star.ModifiedBoundary = this->Options.ModifiedBoundary;
+    star.ModifiedBoundary = this->Options.Features.ModifiedBoundary;
     star.Weights = this->Options.Features.Weights;
     star.Where = kind;
     star.EndsCrease = endsCrease;
@@ -280,7 +280,6 @@ public:
   {
     static_cast<RunOptions&>(this->Surface) = options;
     this->Surface.Scheme = options.Scheme;
-    this->Surface.ModifiedBoundary = options.ModifiedBoundary;
     this->Surface.Levels = 0;
     this->Surface.JoinSeams = false;
   }
@@ -301,8 +300,8 @@ public:
 private:
   const SurfaceSteps<int>* MakeLevels(int& level, bool isWhole = false)
   {
-    const auto scheme = MakeSurfaceScheme<int>(
-      this->Options.Scheme, this->Options.ModifiedBoundary, this->Options.Features.Weights);
+    const auto scheme = MakeSurfaceScheme<int>(this->Options.Scheme,
+      this->Options.Features.ModifiedBoundary, this->Options.Features.Weights);
     SurfaceCells cells;
     bool isLarge = false;
     if (!ReadAndCheck(this->Input, *scheme, this->Surface, cells, isLarge))

@@ -263,7 +263,8 @@ void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& option
                  "them. Flag lines and vertices instead (array index 0), or use "
                  "vtkMultiDimensionalSubdivision.");
   }
-  if (!scheme.UsesTags() && (HasFlags(features) || options.Angles || options.Flatness))
+  if (!scheme.UsesTags() &&
+    (HasFlags(features) || options.Features.CornerAngles || options.Flatness))
   {
     options.Warn(
       "This scheme is dual and has no creases and corners: the filter ignores flags, "

@@ -91,8 +91,8 @@ Buffer<vtkIdType> GatherTriangles(
 bool FindSurfaceOperators(
   vtkPolyData* input, const SurfaceOptions& options, SurfaceOperators& operators)
 {
-  auto scheme =
-    MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary, options.Features.Weights);
+  auto scheme = MakeSurfaceScheme<int>(
+    options.Scheme, options.Features.ModifiedBoundary, options.Features.Weights);
   SurfaceCells cells;
   bool isLarge = false;
   if (!ReadAndCheck(input, *scheme, options, cells, isLarge))

@@ -197,7 +197,7 @@ template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
 {
-  SurfaceKey key{ this->Options.Scheme, this->Options.ModifiedBoundary,
+  SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
     this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
     this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
   KeptSurfaceOf<Id>* kept = nullptr;
@@ -336,7 +336,7 @@ SurfaceCreases SurfaceRun<Id>::ReadCreases(const SurfaceCells& cells, const Surf
     sharpness += sharpness > 0. ? this->MadeLevels : 0.;
   }
   const vtkIdType points = this->GetControl().NumberOfPoints;
-  creases.Features.Angles = ReadPointValues(this->Options.Angles, points, Pi / 180.);
+  creases.Features.Angles = ReadPointValues(this->Options.Features.CornerAngles, points, Pi / 180.);
   creases.Features.Flatness = ReadPointValues(this->Options.Flatness, points, 1.);
   if (this->Stamp.IsOfPart())
   {

@@ -210,8 +210,8 @@ void SurfaceRun<Id>::WriteStamp()
 
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output)
 {
-  const auto scheme =
-    MakeSurfaceScheme<int>(options.Scheme, options.ModifiedBoundary, options.Features.Weights);
+  const auto scheme = MakeSurfaceScheme<int>(
+    options.Scheme, options.Features.ModifiedBoundary, options.Features.Weights);
   if (!scheme)
   {
     options.Fail("This scheme is not available.");
@@ -231,7 +231,7 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
   if (isLarge)
   {
     const auto largeScheme = MakeSurfaceScheme<long long>(
-      options.Scheme, options.ModifiedBoundary, options.Features.Weights);
+      options.Scheme, options.Features.ModifiedBoundary, options.Features.Weights);
     return run(SurfaceRun<long long>(input, options, largeScheme, output));
   }
   return run(SurfaceRun<int>(input, options, scheme, output));

@@ -21,15 +21,13 @@ struct SurfaceOptions : RunOptions
 {
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
   int Levels = 1;
-  bool ModifiedBoundary = true;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
   bool GenerateTangents = false;
   bool Use32BitIds = false;
   bool JoinSeams = true;
   bool KeepsMerged = false; ///< seams of any values are joined, too
-  /// Point arrays of the input, null where there is none: angles in degrees, flatness s.
-  vtkSmartPointer<vtkDataArray> Angles;
+  /// A point array of the input, null where there is none: flatness s.
   vtkSmartPointer<vtkDataArray> Flatness;
   /// Where levels are kept; null: nowhere.
   SurfaceCache* Cache = nullptr;

@@ -300,8 +300,11 @@ void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer
 }
 
 bool SubdivideUniformly(
-  vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
+  vtkPointSet* input, const UniformOptions& given, vtkUnstructuredGrid* output)
 {
+  UniformOptions options = given;
+  options.Features.ModifiedBoundary =
+    given.Features.ModifiedBoundary && given.Scheme != StampScheme::Linear; // whose points stay
   if (options.Places)
   {
     return UniformRun(input, options, output).FindPlaces(*options.Places);

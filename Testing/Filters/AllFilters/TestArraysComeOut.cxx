@@ -205,7 +205,8 @@ std::vector<Case> ListCases()
         }),
       AllButIds, Nothing },
   };
-  for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     cases.push_back({ "surface", MakeSurface, MakeOfSurfaces(1, scheme), AllButIds, AllButIds });
     cases.push_back(
@@ -454,7 +455,8 @@ TEST(ArraysComeOut, ElementNumbersOnRequest)
   adaptive->SetMaximumEdgeLength(1.);
   adaptive->GenerateOriginalIdsOn();
   expectNumbers(adaptive, surface);
-  for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     vtkNew<vtkSurfaceSubdivision> filter;
     filter->SetScheme(scheme);
@@ -469,8 +471,8 @@ TEST(ArraysComeOut, OfPlacesOfTheProbe)
   for (const bool ofSurfaces : { false, true })
   {
     vtkNew<vtkSubdivisionLimitProbe> filter;
-    filter->SetSurfaceScheme(
-      ofSurfaces ? vtkSubdivisionLimitProbe::CATMULL_CLARK : vtkSubdivisionLimitProbe::LOOP);
+    filter->SetScheme(
+      ofSurfaces ? vtkSubdivisionLimitProbe::CATMULL_CLARK : vtkSubdivisionLimitProbe::BOX_SPLINE);
     const Mesh mesh = ofSurfaces ? MakeSurface() : solid;
     vtkNew<vtkPolyData> places;
     vtkNew<vtkPoints> points;

@@ -196,7 +196,8 @@ TEST(EditedOutputs, OfVolumeSchemes)
 
 TEST(EditedOutputs, OfSurfaceSchemes)
 {
-  for (int scheme = 0; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     const auto mesh =
       surfacetools::MakeInput(surfacetools::MakeSheet(3, 3, true, { 1., 0., 0. }, { 0., 1., 0. }));

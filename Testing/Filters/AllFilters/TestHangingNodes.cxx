@@ -224,7 +224,9 @@ TEST(HangingNodes, OfAllFiltersThatSmooth)
     return isTold && messages->Warnings.empty() && messages->Errors.empty();
   };
   const Grid quads = MakeTree(VTK_QUAD, 1);
-  for (const int scheme : { 0, 2, 3, 5, 6 })
+  for (const int scheme : { vtkSurfaceSubdivision::LOOP, vtkSurfaceSubdivision::CATMULL_CLARK,
+         vtkSurfaceSubdivision::DOO_SABIN, vtkSurfaceSubdivision::FOUR_EIGHT,
+         vtkSurfaceSubdivision::SQRT_THREE })
   {
     vtkNew<vtkSurfaceSubdivision> filter;
     filter->SetScheme(scheme);

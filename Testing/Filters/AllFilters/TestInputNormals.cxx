@@ -63,7 +63,8 @@ TEST(InputNormals, AreReplacedOrLeftOut)
     vtkNew<vtkMultiDimensionalSubdivision> solids;
     solids->SetGenerateLimitNormals(generates);
     ExpectOwnNormals(RunOn(solids, sphere), generates);
-    for (int scheme = 0; scheme < 7; ++scheme)
+    for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+      ++scheme)
     {
       SCOPED_TRACE(scheme);
       vtkNew<vtkSurfaceSubdivision> surfaces;

@@ -168,7 +168,8 @@ TEST(MissingValues, CostWhatTakesThemInSolids)
 
 TEST(MissingValues, CostWhatTakesThemInSurfaces)
 {
-  for (int scheme = 0; scheme < 8; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     const auto input = MakeInput(MakeSheet(4, 3, scheme % 2 == 0, { 1., 0., 0. }, { 0., 1., 0. }));
     for (const bool cache : { false, true })

@@ -16,11 +16,14 @@ namespace
 struct Case
 {
   int Type;
-  int Scheme; ///< of surfaces, or -1
+  int Scheme;
 };
-const std::vector<Case> Cases = { { VTK_LINE, -1 }, { VTK_TRIANGLE, -1 }, { VTK_QUAD, -1 },
-  { VTK_TETRA, -1 }, { VTK_LINE, vtkSubdivisionLimitProbe::CATMULL_CLARK },
-  { VTK_TRIANGLE, vtkSubdivisionLimitProbe::LOOP_OF_SURFACES },
+const std::vector<Case> Cases = { { VTK_LINE, vtkSubdivisionLimitProbe::BOX_SPLINE },
+  { VTK_TRIANGLE, vtkSubdivisionLimitProbe::BOX_SPLINE },
+  { VTK_QUAD, vtkSubdivisionLimitProbe::BOX_SPLINE },
+  { VTK_TETRA, vtkSubdivisionLimitProbe::BOX_SPLINE },
+  { VTK_LINE, vtkSubdivisionLimitProbe::CATMULL_CLARK },
+  { VTK_TRIANGLE, vtkSubdivisionLimitProbe::LOOP },
   { VTK_QUAD, vtkSubdivisionLimitProbe::CATMULL_CLARK } };
 
 /// The distances of places from the limit of cells of one type on four points or more.
@@ -42,7 +45,7 @@ std::vector<double> FindDistances(
     cells = { { of.Type, { 0, 1, 2, 3 } } };
   }
   vtkNew<vtkSubdivisionLimitProbe> filter;
-  of.Scheme >= 0 ? filter->SetSurfaceScheme(of.Scheme) : void();
+  filter->SetScheme(of.Scheme);
   filter->SetInputDataObject(3, place_tools::MakeTargets(places));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), MakeGrid(points, cells));
   std::vector<double> distances;

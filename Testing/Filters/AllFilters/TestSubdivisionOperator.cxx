@@ -213,7 +213,7 @@ TEST(SubdivisionOperator, KeptOperators)
 
 TEST(SubdivisionOperator, AllSurfaceSchemes)
 {
-  for (int scheme = 0; scheme <= Surfaces::LINEAR; ++scheme)
+  for (int scheme = Surfaces::LINEAR; scheme <= Surfaces::SQRT_THREE; ++scheme)
   {
     for (const bool limit : { false, true })
     {

@@ -255,7 +255,11 @@ TEST(ErrorBounds, AreNearTheTruthOnRandomComplexes)
 /// Where many cells have a point, what the limit depends on there is found for all of them at once.
 TEST(ErrorBounds, OfAWheelAreTheSameAllAround)
 {
-  const Configure bounds = [](Filter* filter) { filter->GenerateErrorBoundsOn(); };
+  const Configure bounds = [](Filter* filter)
+  {
+    filter->GenerateErrorBoundsOn();
+    filter->ModifiedBoundaryOff();
+  };
   for (const int n : { 20, 200 })
   {
     const Grid wheel = Execute(MakeFan(n), 0, bounds);

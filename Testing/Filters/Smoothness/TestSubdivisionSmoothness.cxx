@@ -221,7 +221,7 @@ TEST(SubdivisionSmoothness, AllModelsAgreeWithTheTopology)
 TEST(SubdivisionSmoothness, AllSchemesOfSurfaces)
 {
   const Grid input = MakeModel(vtkSubdivisionModelSource::MECHANICAL_PART);
-  for (int scheme = Filter::LOOP; scheme <= Filter::SQRT_THREE; ++scheme)
+  for (int scheme = Filter::LINEAR; scheme <= Filter::SQRT_THREE; ++scheme)
   {
     SCOPED_TRACE(scheme);
     vtkNew<Filter> filter;
@@ -319,20 +319,21 @@ TEST(SubdivisionSmoothness, SectorsAtABoundary)
   {
     SCOPED_TRACE(k);
     const Grid fan = MakeHalfFan(k);
-    const Grid plain = Examine(fan, Filter::BOX_SPLINE);
+    const Grid plain =
+      Examine(fan, Filter::BOX_SPLINE, [](Filter* filter) { filter->ModifiedBoundaryOff(); });
     EXPECT_EQ(Answers(plain, { 0 }), V({ 1, -1, -1 })); // of the curve
     EXPECT_NEAR(Eigenvalue(plain, { 0 }, 1), 0.5, 1e-9);
     EXPECT_EQ(Answers(plain, { 0 }, 0), k < 6 ? Smooth : Failing);
     EXPECT_EQ(Get(plain, "Valence", Find(plain, { 0 }, 0)), k);
     EXPECT_EQ(Find(plain, { 0 }, 1), -1);
-    const Grid modified = Examine(
-      fan, Filter::BOX_SPLINE, [](Filter* filter) { filter->ModifiedBoundaryOfSolidsOn(); });
+    const Grid modified = Examine(fan, Filter::BOX_SPLINE);
     EXPECT_EQ(Answers(modified, { 0 }, 0), Smooth);
     EXPECT_EQ(Answers(modified, { 0 }), Answers(plain, { 0 }));
     const Grid unmodified =
       Examine(fan, Filter::LOOP, [](Filter* filter) { filter->ModifiedBoundaryOff(); });
     EXPECT_EQ(Answers(unmodified, { 0 }, 0), k < 6 ? Smooth : Failing);
     EXPECT_EQ(Answers(Examine(fan, Filter::LOOP), { 0 }, 0), Smooth);
+    EXPECT_EQ(Answers(Examine(fan, Filter::LINEAR), { 0 }, 0), k < 2 ? Smooth : Failing);
     EXPECT_EQ(Answers(Examine(fan, Filter::SQRT_THREE), { 0 }, 0), k < 6 ? Smooth : Failing);
   }
 }
@@ -443,7 +444,7 @@ TEST(SubdivisionSmoothness, LevelsOfAFilter)
   for (const int scheme : { Filter::LOOP, Filter::DOO_SABIN, Filter::FOUR_EIGHT })
   {
     vtkNew<vtkSurfaceSubdivision> filter;
-    filter->SetScheme(scheme - Filter::LOOP);
+    filter->SetScheme(scheme);
     filter->SetInputDataObject(fan);
     filter->Update();
     const Grid output = Examine(filter->GetOutput(), scheme);
@@ -466,7 +467,7 @@ TEST(SubdivisionSmoothness, LevelsOfClosedSurfaces)
     {
       SCOPED_TRACE(std::to_string(scheme) + ", " + std::to_string(levels) + " levels");
       vtkNew<vtkSurfaceSubdivision> filter;
-      filter->SetScheme(scheme - Filter::LOOP);
+      filter->SetScheme(scheme);
       filter->SetNumberOfLevels(levels);
       filter->SetInputData(source->GetOutput());
       filter->Update();
@@ -583,13 +584,12 @@ TEST(SubdivisionSmoothness, OptionsArePrinted)
   vtkNew<Filter> filter;
   EXPECT_EQ(filter->GetScheme(), Filter::BOX_SPLINE);
   EXPECT_TRUE(filter->GetModifiedBoundary());
-  EXPECT_FALSE(filter->GetModifiedBoundaryOfSolids());
   EXPECT_FALSE(filter->GetSampleMaps());
   EXPECT_FALSE(filter->GetFailingOnly());
   filter->SetScheme(99);
   std::ostringstream out;
   filter->Print(out);
-  for (const char* part : { "Scheme: 8", "ModifiedBoundary: 1", "SampleMaps: 0", "FailingOnly: 0" })
+  for (const char* part : { "Scheme: 9", "ModifiedBoundary: 1", "SampleMaps: 0", "FailingOnly: 0" })
   {
     EXPECT_NE(out.str().find(part), std::string::npos) << part;
   }

@@ -138,7 +138,8 @@ TEST(SurfaceDenseRows, LimitsOfFourEight)
 
 TEST(SurfaceDenseRows, OtherSchemesTakeThem)
 {
-  for (int scheme = 0; scheme <= vtkSurfaceSubdivision::LINEAR; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     SCOPED_TRACE(scheme);
     if (scheme != vtkSurfaceSubdivision::MODIFIED_BUTTERFLY)

@@ -26,12 +26,6 @@ namespace
 
 using ProbeFilter = vtkSubdivisionLimitProbe;
 
-/// The probe's name of a scheme of surfaces.
-int GetScheme(int scheme)
-{
-  return scheme == Filter::LOOP ? ProbeFilter::LOOP_OF_SURFACES : ProbeFilter::CATMULL_CLARK;
-}
-
 /// Sets up a probe or a filter of surfaces alike.
 struct Rules
 {
@@ -56,7 +50,7 @@ vtkSmartPointer<vtkPolyData> Probe(
   vtkNew<ProbeFilter> filter;
   filter->SetInputDataObject(input);
   filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
-  filter->SetSurfaceScheme(GetScheme(scheme));
+  filter->SetScheme(scheme);
   rules.Set(filter.Get());
   filter->Update();
   const auto found = vtkSmartPointer<vtkPolyData>::New();
@@ -323,7 +317,7 @@ TEST(SurfaceLimitProbe, Errors)
 {
   const auto input = MakeInput(MakeZoo(false)["cube"]);
   vtkNew<ProbeFilter> filter;
-  filter->SetSurfaceSchemeToCatmullClark();
+  filter->SetSchemeToCatmullClark();
   filter->SetInputDataObject(input);
   vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
   messages->Watch(filter);
@@ -344,11 +338,11 @@ TEST(SurfaceLimitProbe, MissingPlaces)
   const std::vector<Point> known = { { 0.2, 0.3, 2. }, { 1e300, 1e300, 0. }, { -3., 0.1, 0.2 } };
   const std::vector<Point> all = { known[0], { std::nan(""), 0., 0. }, known[1],
     { 0., std::numeric_limits<double>::infinity(), 0. }, known[2] };
-  for (const int scheme : { ProbeFilter::CATMULL_CLARK, ProbeFilter::LOOP_OF_SURFACES })
+  for (const int scheme : { ProbeFilter::LOOP, ProbeFilter::CATMULL_CLARK })
   {
     SCOPED_TRACE(scheme);
     vtkNew<ProbeFilter> filter;
-    filter->SetSurfaceScheme(scheme);
+    filter->SetScheme(scheme);
     filter->SetInputDataObject(MakeInput(MakeZoo(false)["cube"]));
     vtkNew<multi_dimensional_subdivision_tools::Messages> messages;
     messages->Watch(filter);

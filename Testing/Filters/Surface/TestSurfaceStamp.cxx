@@ -110,7 +110,8 @@ TEST(SurfaceStamp, AForgedNumberOfLevelsOfLinesCostsNothing)
 /// none.
 TEST(SurfaceStamp, GlobalIdsGoOn)
 {
-  for (int scheme = 0; scheme <= vtkSurfaceSubdivision::SQRT_THREE; ++scheme)
+  for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+    ++scheme)
   {
     const auto input = MakeInput(MakeSheet(
       4, 4, scheme != vtkSurfaceSubdivision::CATMULL_CLARK, { 1., 0., 0. }, { 0.2, 1., 0. }));
@@ -202,7 +203,7 @@ vtkSmartPointer<vtkPolyData> RunCreased(
   filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
   if (shapes)
   {
-    filter->SetInputArrayToProcess(5, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angles");
+    filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Angles");
     filter->SetInputArrayToProcess(6, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Flatness");
   }
   filter->Update();

@@ -6,11 +6,18 @@
  */
 #include "BezierTools.h"
 #include "MultiDimensionalSubdivisionTools.h"
+#include "PlaceTools.h"
 #include "RandomSurfaces.h"
 
+#include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkPolyData.h"
+#include "vtkRedGreenRefinement.h"
 #include "vtkSMPTools.h"
+#include "vtkSimplicialComplexTopology.h"
+#include "vtkSubdivisionDeformation.h"
+#include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionModelSource.h"
+#include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <functional>
@@ -29,19 +36,15 @@ using Configure = std::function<void(Filter*)>;
 
 constexpr const char* AngleName = "Angle";
 
-template <typename FilterType>
-void SetAngles(FilterType* filter)
+void SetAngles(vtkSubdivisionAlgorithm* filter)
 {
-  const bool isOfSurfaces = filter->IsA("vtkSurfaceSubdivision");
-  filter->SetInputArrayToProcess(
-    isOfSurfaces ? 5 : 10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, AngleName);
+  filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, AngleName);
 }
 
 Grid Execute(vtkPointSet* input, int levels, const Configure& configure = {})
 {
   vtkNew<Filter> filter;
   filter->SetNumberOfLevels(levels);
-  filter->ModifiedBoundaryOn();
   SetAngles(filter.Get());
   if (configure)
   {
@@ -265,19 +268,42 @@ TEST(ModifiedBoundary, SemiSharpCreasesAreThoseOfTheSurfaceFilter)
   }
 }
 
-TEST(ModifiedBoundary, ChangesSomethingAndOffIsTheDefault)
+TEST(ModifiedBoundary, IsOnInAllFilters)
+{
+  const std::vector<vtkSmartPointer<vtkSubdivisionAlgorithm>> filters = {
+    vtkSmartPointer<vtkAdaptiveSurfaceSubdivision>::New(), vtkSmartPointer<Filter>::New(),
+    vtkSmartPointer<vtkRedGreenRefinement>::New(),
+    vtkSmartPointer<vtkSimplicialComplexTopology>::New(),
+    vtkSmartPointer<vtkSubdivisionDeformation>::New(),
+    vtkSmartPointer<vtkSubdivisionLimitProbe>::New(),
+    vtkSmartPointer<vtkSubdivisionSmoothness>::New(), vtkSmartPointer<vtkSurfaceSubdivision>::New()
+  };
+  for (vtkSubdivisionAlgorithm* filter : filters)
+  {
+    EXPECT_TRUE(filter->GetModifiedBoundary()) << filter->GetClassName();
+    filter->ModifiedBoundaryOff();
+    EXPECT_FALSE(filter->GetModifiedBoundary()) << filter->GetClassName();
+  }
+}
+
+TEST(ModifiedBoundary, ChangesSomethingButLinearLevels)
 {
   const auto input = MakeCreased(3, true);
-  const Grid on = Execute(input, 2);
-  const Grid off = Execute(input, 2, [](Filter* filter) { filter->ModifiedBoundaryOff(); });
-  EXPECT_NE(Compare(on, off), "");
-  vtkNew<Filter> filter;
-  EXPECT_FALSE(filter->GetModifiedBoundary());
-  filter->SetNumberOfLevels(2);
-  EXPECT_EQ(Compare(off, UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input)), "");
-  const Grid linear = Execute(input, 2, [](Filter* f) { f->SetVolumeSchemeToLinear(); });
-  filter->SetVolumeSchemeToLinear();
-  EXPECT_EQ(Compare(linear, UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), input)), "");
+  const Configure plain = [](Filter* filter) { filter->ModifiedBoundaryOff(); };
+  EXPECT_NE(Compare(Execute(input, 2), Execute(input, 2, plain)), "");
+  const Configure linear = [](Filter* filter)
+  {
+    filter->SetVolumeSchemeToLinear();
+    filter->ProjectToLimitOn();
+    filter->GenerateLimitNormalsOn();
+    filter->GenerateTangentsOn();
+  };
+  const Configure both = [=](Filter* filter)
+  {
+    linear(filter);
+    plain(filter);
+  };
+  EXPECT_EQ(Compare(Execute(input, 2, linear), Execute(input, 2, both)), "");
 }
 
 /// A tube of triangles, three at each boundary vertex: both rules are the same, bit for bit.
@@ -447,7 +473,6 @@ TEST(ModifiedBoundary, PlacesAreThoseOfLevels)
     const auto input = MakeSemiSharp(seed);
     const auto configure = [](Filter* filter)
     {
-      filter->ModifiedBoundaryOn();
       SetAngles(filter);
       filter->SetCreaseEndToDart();
       filter->SetInputArrayToProcess(4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Sharpness");
@@ -493,6 +518,36 @@ TEST(ModifiedBoundary, PlacesAreThoseOfLevels)
   }
 }
 
+/// A place in the middle of a triangle is near the edges that end on a border.
+TEST(ModifiedBoundary, PlacesAreThoseOfTheSurfaceFilter)
+{
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto input = WithoutCorners(MakeCreased(seed, false));
+    std::mt19937 random(seed);
+    place_tools::Places places;
+    for (vtkIdType i = 0; i < 20 * input->GetNumberOfPolys(); ++i)
+    {
+      double u = random() / 4294967296.;
+      double v = random() / 4294967296.;
+      if (u + v > 1.)
+      {
+        u = 1. - u;
+        v = 1. - v;
+      }
+      places.Add(i / 20, { u, v, 0. });
+    }
+    vtkNew<Filter> main;
+    main->SetInputData(input);
+    vtkNew<vtkSurfaceSubdivision> loop;
+    loop->SetInputData(input);
+    EXPECT_LT(GetDifference(Collect(place_tools::Evaluate(main.Get(), places), places.GetSize()),
+                Collect(place_tools::Evaluate(loop.Get(), places), places.GetSize())),
+      1e-12);
+  }
+}
+
 TEST(ModifiedBoundary, ThreadsDoNotMatter)
 {
   const Grid box = MakeBox();
@@ -518,7 +573,6 @@ TEST(ModifiedBoundary, ThreadsDoNotMatter)
 TEST(ModifiedBoundary, OnlyAnglesOfCornersChangeTheOperator)
 {
   vtkNew<Filter> filter;
-  filter->ModifiedBoundaryOn();
   SetAngles(filter.Get());
   const Grid box = MakeBox();
   filter->DetectFeaturesOn();
@@ -576,7 +630,6 @@ TEST(ModifiedBoundary, AnArrayThatIsMissingIsAnError)
   vtkNew<Messages> messages;
   vtkNew<Filter> filter;
   messages->Watch(filter);
-  filter->ModifiedBoundaryOn();
   filter->SetInputArrayToProcess(10, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Nothing");
   filter->SetInputData(MakeBox());
   filter->Update();

@@ -144,7 +144,13 @@ TEST(MultiDimensionalSubdivisionGhosts, TypesGoToChildrenAndPoints)
     Options options;
     options.Levels = levels;
     options.Integers = true;
-    const Grid result = Subdivide(grid, options, messages);
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    messages->Watch(filter);
+    Set(filter, options);
+    filter->ModifiedBoundaryOff();
+    filter->SetInputData(grid);
+    filter->Update();
+    const Grid result = filter->GetOutput();
     EXPECT_EQ(messages->Errors.size(), 0u);
     EXPECT_EQ(messages->Warnings.size(), 0u) << "one layer is enough for curves and surfaces";
     vtkUnsignedCharArray* cells = result->GetCellGhostArray();

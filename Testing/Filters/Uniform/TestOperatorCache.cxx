@@ -303,7 +303,7 @@ TEST(OperatorCache, OptionsThatChangeTheOperator)
     [](Filter* f) { f->SetEmbeddedCellsToSingularInside(); },
     [](Filter* f) { f->SetCreaseEndToDart(); },
     [](Filter* f) { f->SetLoopWeightsToLoop(); },
-    [](Filter* f) { f->ModifiedBoundaryOn(); },
+    [](Filter* f) { f->ModifiedBoundaryOff(); },
     [](Filter* f) { f->GenerateTangentsOn(); },
     [](Filter* f) { f->PreserveInterfacesOn(); },
     [](Filter* f) { f->SetType1RuleToFollowDimension1(); },

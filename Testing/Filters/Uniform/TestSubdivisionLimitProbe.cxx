@@ -8,6 +8,7 @@
 
 #include "vtkMultiBlockDataSet.h"
 #include "vtkStaticPointLocator.h"
+#include "vtkSubdivisionModelSource.h"
 
 using namespace limit_probe_tools;
 
@@ -183,6 +184,47 @@ TEST(SubdivisionLimitProbe, NearestPlacesAtIrregularCreases)
         std::hypot(p[0] - targets[t][0], p[1] - targets[t][1], p[2] - targets[t][2]) + 1e-10)
         << seed << " " << t << ", vertex " << crease[t / 40];
     }
+  }
+}
+
+/// The limit of the linear scheme is the mesh.
+TEST(SubdivisionLimitProbe, OfTheLinearSchemeAreOnTheMesh)
+{
+  const Grid mesh = MakeModel(vtkSubdivisionModelSource::MIXED_DIMENSIONS);
+  std::mt19937 random(2);
+  std::vector<Point> targets;
+  for (int i = 0; i < 60; ++i)
+  {
+    const auto draw = [&](int axis)
+    {
+      const double* bounds = mesh->GetBounds() + 2 * axis;
+      return bounds[0] + (bounds[1] - bounds[0]) * (random() / 2147483648. - 0.5);
+    };
+    const double x = draw(0);
+    const double y = draw(1);
+    targets.push_back({ x, y, draw(2) });
+  }
+  vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetSchemeToLinear();
+  filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
+  const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
+  for (vtkIdType i = 0; i < found->GetNumberOfPoints(); ++i)
+  {
+    double least = 1e9;
+    for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
+    {
+      std::vector<double> weights(8);
+      double nearest[3];
+      double parameters[3];
+      double squared = 0.;
+      int part = 0;
+      mesh->GetCell(c)->EvaluatePosition(
+        targets[i].data(), nearest, part, parameters, squared, weights.data());
+      least = std::min(least, squared);
+    }
+    EXPECT_NEAR(found->GetPointData()->GetArray("Distance")->GetComponent(i, 0), std::sqrt(least),
+      1e-9 * mesh->GetLength())
+      << i;
   }
 }
 

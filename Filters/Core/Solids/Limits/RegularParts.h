@@ -134,15 +134,8 @@ private:
   /// Whether a vertex between the ends of an edge is regular.
   bool IsRegularEdge(Id edge) const
   {
-    if (edge < 0)
-    {
-      return false;
-    }
-    const Rule rule = this->Level.Strata.Edges[edge].GetRule();
-    const Row<Id> faces = this->Level.Strata.EdgeRings.GetCarriers(edge);
-    return rule == Rule::Curve ||
-      (rule == Rule::Surface && faces.size() == 2 && faces.begin()[0] >= 0 &&
-        faces.begin()[1] >= 0);
+    return edge >= 0 &&
+      (this->Level.Strata.Edges[edge].GetRule() == Rule::Curve || this->Reader.IsInside(edge));
   }
 
   void ReadLine(const std::array<Id, 4>& corners, RegularSimplex<Id>& simplex)

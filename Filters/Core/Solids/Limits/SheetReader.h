@@ -79,11 +79,6 @@ public:
   Id FindFace(Id edge, const std::array<Id, 3>& corners) const;
   /// A face, with its corners in this order.
   bool ReadFace(Id face, const std::array<Id, 3>& corners, SheetPatch<Id>& patch) const;
-
-private:
-  Rule RuleOfVertex(Id vertex) const { return this->Strata.Vertices[vertex].GetRule(); }
-  Rule RuleOfEdge(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
-  bool IsWhole(Id vertex) const { return this->Whole.empty() || this->Whole[vertex]; }
   /// Whether an edge has a triangle of the sheet on both sides, and the plain rule.
   bool IsInside(Id edge) const
   {
@@ -91,6 +86,11 @@ private:
     return this->RuleOfEdge(edge) == Rule::Surface && faces.size() == 2 && faces.begin()[0] >= 0 &&
       faces.begin()[1] >= 0 && FindSectorEdges(this->Strata.Sectors, edge).IsEmpty();
   }
+
+private:
+  Rule RuleOfVertex(Id vertex) const { return this->Strata.Vertices[vertex].GetRule(); }
+  Rule RuleOfEdge(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
+  bool IsWhole(Id vertex) const { return this->Whole.empty() || this->Whole[vertex]; }
   Id GetThird(Id face, Id edge) const;
   bool ReadCurveEdge(Id a, Id b, SheetPatch<Id>& patch) const;
   bool ReadFan(Id face, Id vertex, Id next, SheetFan& fan, std::vector<Id>& columns) const;

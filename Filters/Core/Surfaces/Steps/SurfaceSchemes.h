@@ -12,17 +12,17 @@
 namespace subdivision
 {
 
-/// The schemes in the order of vtkSurfaceSubdivision::Schemes. Stamps in files hold these numbers.
+/// With the numbers of vtkSubdivisionAlgorithm::Schemes, which stamps in files hold.
 enum class SurfaceSchemeKind
 {
+  Linear = 2,
   Loop,
-  ModifiedButterfly,
   CatmullClark,
+  ModifiedButterfly,
   DooSabin,
   Midedge,
   FourEight,
-  SqrtThree,
-  Linear
+  SqrtThree
 };
 
 /// Null for a number that is no scheme. `weights`: of Loop.
