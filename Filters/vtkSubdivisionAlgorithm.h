@@ -114,17 +114,20 @@ public:
   vtkTypeMacro(vtkSubdivisionAlgorithm, vtkPointSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// How meshes are split and smoothed, in all filters with an option Scheme, VolumeScheme or
-  /// SurfaceScheme. The first three are those of vtkMultiDimensionalSubdivision, from LINEAR on
-  /// those of vtkSurfaceSubdivision.
-  enum Schemes
+  /// How solids are split and smoothed, in all filters with VolumeScheme.
+  enum VolumeSchemes
   {
     BOX_SPLINE,
     TET_OCT,
-    LINEAR,
+    LINEAR
+  };
+  /// How polygons are split and smoothed, by vtkSurfaceSubdivision, which has LINEAR, too, and
+  /// others.
+  enum SurfaceSchemes
+  {
     LOOP,
-    CATMULL_CLARK,
     MODIFIED_BUTTERFLY,
+    CATMULL_CLARK,
     DOO_SABIN,
     MIDEDGE,
     FOUR_EIGHT,

@@ -156,6 +156,16 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   return 1;
 }
 
+void vtkSubdivisionDeformation::SetSurfaceScheme(int scheme)
+{
+  const int taken = scheme <= LOOP ? LOOP : CATMULL_CLARK; // there are no others
+  if (this->SurfaceScheme != taken)
+  {
+    this->SurfaceScheme = taken;
+    this->Modified();
+  }
+}
+
 int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

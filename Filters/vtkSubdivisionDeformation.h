@@ -145,11 +145,11 @@ public:
 
   ///@{
   /**
-   * How the surfaces of a control mesh are split and smoothed: LOOP (3, the default; quads and
-   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (4; polygons become
+   * How the surfaces of a control mesh are split and smoothed: LOOP (0, the default; quads and
+   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (2; polygons become
    * quads, for control meshes without solids), see above.
    */
-  vtkSetClampMacro(SurfaceScheme, int, LOOP, CATMULL_CLARK);
+  virtual void SetSurfaceScheme(int scheme);
   vtkGetMacro(SurfaceScheme, int);
   void SetSurfaceSchemeToLoop() { this->SetSurfaceScheme(LOOP); }
   void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }

@@ -97,7 +97,8 @@ int vtkSubdivisionLimitProbe::RequestData(
   if (this->IsOfSurfaces())
   {
     subdivision::SurfaceOptions options;
-    options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
+    options.Scheme = this->Scheme == CATMULL_CLARK ? subdivision::SurfaceSchemeKind::CatmullClark
+                                                   : subdivision::SurfaceSchemeKind::Loop;
     return run(options,
       [&](vtkPointSet* input)
       {

@@ -65,6 +65,14 @@ public:
   /// Connects the points, at port 3.
   void SetPlacesConnection(vtkAlgorithmOutput* output);
 
+  enum Schemes
+  {
+    BOX_SPLINE,
+    TET_OCT,
+    LINEAR,
+    LOOP,
+    CATMULL_CLARK
+  };
   ///@{
   /**
    * Whose limit it is. That of vtkMultiDimensionalSubdivision, with curves, surfaces and solids:

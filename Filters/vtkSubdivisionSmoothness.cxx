@@ -53,8 +53,9 @@ int vtkSubdivisionSmoothness::RequestData(
     options.SampleMaps = false; // the ids of cells do not depend on it
   }
   options.IsTetOct = this->Scheme == TET_OCT;
-  const bool isOfSurfaces = this->Scheme >= LINEAR;
-  options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
+  const bool isOfSurfaces = this->Scheme >= LOOP;
+  options.Scheme =
+    static_cast<subdivision::SurfaceSchemeKind>(isOfSurfaces ? this->Scheme - LOOP : 0);
   return this->Run(inputVector, outputVector, options, nullptr,
     "the simplices of the input. Use a part of the input.",
     [&](vtkPointSet* input, vtkPointSet* output)

@@ -134,14 +134,28 @@ public:
   /// The output.
   vtkUnstructuredGrid* GetOutput() { return this->GetUnstructuredGridOutput(); }
 
+  /// The surface schemes in the order of vtkSurfaceSubdivision.
+  enum Schemes
+  {
+    BOX_SPLINE,
+    TET_OCT,
+    LOOP,
+    MODIFIED_BUTTERFLY,
+    CATMULL_CLARK,
+    DOO_SABIN,
+    MIDEDGE,
+    FOUR_EIGHT,
+    SQRT_THREE,
+    LINEAR
+  };
   ///@{
   /**
    * The scheme that is examined: BOX_SPLINE (0, the default) and TET_OCT (1) of
-   * vtkMultiDimensionalSubdivision, with curves and surfaces, or LINEAR (2; fails at edges), LOOP
-   * (3), CATMULL_CLARK (4), MODIFIED_BUTTERFLY (5), DOO_SABIN (6), MIDEDGE (7), FOUR_EIGHT (8),
-   * SQRT_THREE (9) of vtkSurfaceSubdivision.
+   * vtkMultiDimensionalSubdivision, with curves and surfaces, or LOOP (2), MODIFIED_BUTTERFLY (3),
+   * CATMULL_CLARK (4), DOO_SABIN (5), MIDEDGE (6), FOUR_EIGHT (7), SQRT_THREE (8), LINEAR (9; fails
+   * at edges) of vtkSurfaceSubdivision.
    */
-  vtkSetClampMacro(Scheme, int, BOX_SPLINE, SQRT_THREE);
+  vtkSetClampMacro(Scheme, int, BOX_SPLINE, LINEAR);
   vtkGetMacro(Scheme, int);
   void SetSchemeToBoxSpline() { this->SetScheme(BOX_SPLINE); }
   void SetSchemeToTetOct() { this->SetScheme(TET_OCT); }

@@ -179,23 +179,35 @@ public:
   /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
+  /// The numbers of SurfaceSchemes (vtkSubdivisionAlgorithm), then LINEAR.
+  enum Schemes
+  {
+    LOOP,
+    MODIFIED_BUTTERFLY,
+    CATMULL_CLARK,
+    DOO_SABIN,
+    MIDEDGE,
+    FOUR_EIGHT,
+    SQRT_THREE,
+    LINEAR
+  };
   ///@{
   /**
-   * The scheme: LINEAR (2; triangles to 4, not smoothed: points stay, new ones are midpoints), LOOP
-   * (3, the default; triangles to 4), CATMULL_CLARK (4; polygons to quads), MODIFIED_BUTTERFLY (5;
-   * triangles to 4, interpolates the points), DOO_SABIN (6; dual), MIDEDGE (7; dual), FOUR_EIGHT
-   * (8; two steps split a quad into 4) or SQRT_THREE (9; triangles to 3).
+   * The scheme: LOOP (0, the default; triangles to 4), MODIFIED_BUTTERFLY (1; triangles to 4,
+   * interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN (3; dual), MIDEDGE
+   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4), SQRT_THREE (6; triangles to 3) or
+   * LINEAR (7; triangles to 4, not smoothed: points stay, new ones are midpoints).
    */
-  vtkSetClampMacro(Scheme, int, LINEAR, SQRT_THREE);
+  vtkSetClampMacro(Scheme, int, LOOP, LINEAR);
   vtkGetMacro(Scheme, int);
-  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
-  void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
   void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
+  void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
   void SetSchemeToDooSabin() { this->SetScheme(DOO_SABIN); }
   void SetSchemeToMidedge() { this->SetScheme(MIDEDGE); }
   void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
   void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
+  void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   ///@}
 
   ///@{

@@ -176,7 +176,7 @@ def dual_map(scheme, k):
     turns = 2 * np.pi * np.arange(k) / k
     probe = vtkSubdivisionSmoothness()
     probe.SetInputData(mesh(np.stack([np.cos(turns), np.sin(turns), 0 * turns], axis=1), [list(range(k))]))
-    probe.SetScheme(scheme)
+    probe.SetScheme(vtkSubdivisionSmoothness.LOOP + scheme)
     probe.SetSampleMaps(True)
     probe.Update()
     cells = probe.GetOutput().GetCellData()

@@ -184,7 +184,7 @@ TEST(ManyRuns, SurfaceSubdivision)
     [](vtkSurfaceSubdivision* filter, int i)
     {
       filter->SetNumberOfLevels(i % 3);
-      filter->SetScheme(vtkSurfaceSubdivision::LINEAR + i / 3 % 8);
+      filter->SetScheme(i / 3 % (vtkSurfaceSubdivision::LINEAR + 1));
       filter->SetProjectToLimit(i % 5 == 1);
       filter->SetGenerateLimitNormals(i % 4 == 1);
       filter->SetInterpolatePoints(i % 7 == 1);

@@ -274,11 +274,11 @@ def run():
     check_filters_in_a_row(checks, block, JUMPING, with_ids=0)  # they are those of points, not of copies
     skin = skin_of(model(subdivisionobjects.vtkSubdivisionModelSource.MIXED_DIMENSIONS))
     checks.cut(skin, SURFACE + ADAPTIVE)
-    checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[1])])
+    checks.cut(skin, [(name, dict(options, **INTERPOLATED)) for name, options in (SOLID[1], SURFACE[2])])
     check_filters_in_a_row(checks, skin, INTERPOLATED, "vtkSurfaceSubdivision")
     check_files(checks)
     for scheme in SCHEMES:
-        if scheme <= subdivisionobjects.vtkSurfaceSubdivision.MODIFIED_BUTTERFLY or ranks.RANKS == 1:
+        if scheme <= subdivisionobjects.vtkSurfaceSubdivision.CATMULL_CLARK or ranks.RANKS == 1:
             check_filters_in_a_row(checks, skin, {"DetectFeatures": 1, "Scheme": scheme}, "vtkSurfaceSubdivision")
         else:
             check_filters_afresh(checks, skin, scheme)

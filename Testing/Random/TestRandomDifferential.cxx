@@ -203,7 +203,7 @@ struct SurfaceOptions
   bool Limit = false;
 
   explicit SurfaceOptions(Chance& chance)
-    : Scheme(vtkSurfaceSubdivision::LINEAR + Draw(chance, 8))
+    : Scheme(Draw(chance, vtkSurfaceSubdivision::LINEAR + 1))
     , CreaseEnd(Draw(chance, 2))
     , Rules{ Draw(chance, 2), Draw(chance, 2), Draw(chance, 2) }
     , DetectFeatures(Draw(chance, 4) == 0)

@@ -141,7 +141,7 @@ vtkSmartPointer<vtkDataObject> RefineSurface(vtkDataObject* input, Chance& chanc
 
 int DrawScheme(Chance& chance)
 {
-  return vtkSurfaceSubdivision::LINEAR + Draw(chance, 8);
+  return Draw(chance, vtkSurfaceSubdivision::LINEAR + 1);
 }
 
 // ------------------------------------------------------------------------------------------------

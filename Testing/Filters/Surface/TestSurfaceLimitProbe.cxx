@@ -43,6 +43,12 @@ struct Rules
   }
 };
 
+/// The probe's name of a scheme of surfaces.
+int GetScheme(int scheme)
+{
+  return scheme == Filter::LOOP ? ProbeFilter::LOOP : ProbeFilter::CATMULL_CLARK;
+}
+
 /// What the probe finds. Places in cells that were not cut have to be those of EvaluateLimit.
 vtkSmartPointer<vtkPolyData> Probe(
   vtkDataSet* input, int scheme, const std::vector<Point>& targets, const Rules& rules = Rules())
@@ -50,7 +56,7 @@ vtkSmartPointer<vtkPolyData> Probe(
   vtkNew<ProbeFilter> filter;
   filter->SetInputDataObject(input);
   filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
-  filter->SetScheme(scheme);
+  filter->SetScheme(GetScheme(scheme));
   rules.Set(filter.Get());
   filter->Update();
   const auto found = vtkSmartPointer<vtkPolyData>::New();

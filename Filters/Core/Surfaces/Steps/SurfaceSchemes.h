@@ -12,17 +12,17 @@
 namespace subdivision
 {
 
-/// With the numbers of vtkSubdivisionAlgorithm::Schemes, which stamps in files hold.
+/// The schemes with the numbers of vtkSurfaceSubdivision. Stamps in files hold them.
 enum class SurfaceSchemeKind
 {
-  Linear = 2,
   Loop,
-  CatmullClark,
   ModifiedButterfly,
+  CatmullClark,
   DooSabin,
   Midedge,
   FourEight,
-  SqrtThree
+  SqrtThree,
+  Linear
 };
 
 /// Null for a number that is no scheme. `weights`: of Loop.
