@@ -89,9 +89,10 @@ public:
     this->HostOf.insert(this->HostOf.end(), size, static_cast<int>(this->Hosts.size()) - 1);
   }
   /// `mayHang(owner, vertex)`: whether a point can hang on a host of this owner; `isSingle`: it
-  /// needs no edge along the host.
-  template <typename MayHang>
-  void Find(bool isSingle, const MayHang& mayHang)
+  /// needs no edge along the host; `fit(owner,
+  /// other)`: whether cells fit, so that no point of one hangs on the other.
+  template <typename MayHang, typename Fit>
+  void Find(bool isSingle, const MayHang& mayHang, const Fit& fit)
   {
     const Rows<int> hostsAt = ListByRow<int>(
       static_cast<vtkIdType>(this->Open.size()), static_cast<vtkIdType>(this->Corners.size()),
@@ -103,7 +104,7 @@ public:
       for (const int point : this->FindInside(h, candidates))
       {
         if (mayHang(host.Of, this->Open[point]) &&
-          (isSingle || this->HasAlong(host, point, hostsAt[point])))
+          (isSingle || this->HasAlong(host, point, hostsAt[point], fit)))
         {
           this->Hangs[point].store(1, std::memory_order_relaxed);
           this->Held[h] = this->Held[h] < 0 ? point : std::min(this->Held[h], point);
@@ -209,7 +210,8 @@ private:
   }
   /// Whether a line ends at a point, or an edge of another cell leaves it along the host. An edge
   /// that is hardly longer than the tolerance may have any direction.
-  bool HasAlong(const Host& host, int point, const Row<int>& around) const
+  template <typename Fit>
+  bool HasAlong(const Host& host, int point, const Row<int>& around, const Fit& fit) const
   {
     if (around.size() == 1 && this->Hosts[*around.begin()].Of.Dimension == 1)
     {
@@ -234,7 +236,7 @@ private:
         const int* begin = this->Corners.data() + edge.First;
         return std::tie(edge.Of.Dimension, edge.Of.Index) !=
           std::tie(host.Of.Dimension, host.Of.Index) &&
-          std::any_of(begin, begin + edge.Size, isAlong);
+          !fit(edge.Of, host.Of) && std::any_of(begin, begin + edge.Size, isAlong);
       });
   }
   const double* GetPoint(int i) const { return this->X.data() + 3 * static_cast<std::size_t>(i); }

@@ -85,28 +85,37 @@ void ForOpenParts(const SimplicialComplex<Id>& complex, const Use& use)
   }
 }
 
-/// Whether a vertex is one of an owner.
+/// The vertices of an owner, an edge or a face.
 template <typename Id>
-bool HasVertex(const SimplicialComplex<Id>& complex, const Owner& owner, vtkIdType vertex)
+struct Part
+{
+  const Id* Ids;
+  int Size;
+
+  bool Has(vtkIdType vertex) const
+  {
+    return std::find(this->Ids, this->Ids + this->Size, static_cast<Id>(vertex)) !=
+      this->Ids + this->Size;
+  }
+};
+
+template <typename Id>
+Part<Id> GetPart(const SimplicialComplex<Id>& complex, const Owner& owner)
 {
   const int size = owner.Dimension + 1;
   const Id* vertices = owner.Dimension == 3 ? complex.TetVertices.data()
     : owner.Dimension == 2                  ? complex.FaceVertices.data()
                                             : complex.EdgeVertices.data();
-  const Id* first = vertices + size * owner.Index;
-  return std::find(first, first + size, static_cast<Id>(vertex)) != first + size;
+  return { vertices + size * owner.Index, size };
 }
 
 template <typename Id>
-bool HasVertex(const PolygonMesh<Id>& mesh, const Owner& owner, vtkIdType vertex)
+Part<Id> GetPart(const PolygonMesh<Id>& mesh, const Owner& owner)
 {
-  const vtkIdType first =
-    owner.Dimension == 2 ? vtkIdType(mesh.GetFirst(static_cast<Id>(owner.Index))) : 0;
-  const Id* begin = owner.Dimension == 2 ? mesh.Vertices.data() + first
-                                         : mesh.EdgeVertices.data() + 2 * owner.Index;
-  const vtkIdType size =
-    owner.Dimension == 2 ? vtkIdType(mesh.GetSize(static_cast<Id>(owner.Index))) : 2;
-  return std::find(begin, begin + size, static_cast<Id>(vertex)) != begin + size;
+  const Id id = static_cast<Id>(owner.Index);
+  return owner.Dimension == 2
+    ? Part<Id>{ mesh.Vertices.data() + mesh.GetFirst(id), static_cast<int>(mesh.GetSize(id)) }
+    : Part<Id>{ mesh.EdgeVertices.data() + 2 * owner.Index, 2 };
 }
 
 template <typename Id, typename Use>
@@ -234,27 +243,6 @@ private:
   bool Joins = false;
 };
 
-/// An edge or a face.
-template <typename Id>
-struct Part
-{
-  const Id* Ids;
-  int Size;
-};
-
-template <typename Id>
-Part<Id> GetFace(const SimplicialComplex<Id>& complex, vtkIdType face)
-{
-  return { complex.FaceVertices.data() + 3 * face, 3 };
-}
-
-template <typename Id>
-Part<Id> GetFace(const PolygonMesh<Id>& mesh, vtkIdType face)
-{
-  const Id id = static_cast<Id>(face);
-  return { mesh.Vertices.data() + mesh.GetFirst(id), static_cast<int>(mesh.GetSize(id)) };
-}
-
 /// The parts 0, 1, ... `count` - 1 in whose boxes some of the points are that are no corners of
 /// them: mostly none. Boxes of many parts tell that first.
 template <typename GetPart>
@@ -317,7 +305,6 @@ template <typename Mesh>
 std::string DescribeHanging(const Mesh& mesh, std::vector<vtkIdType> points,
   const Coordinates& coordinates, int dimension, const OpenPointOptions& options)
 {
-  using Id = std::decay_t<decltype(mesh.EdgeVertices[0])>;
   if (dimension == 1)
   {
     const auto uses = CountUses(mesh.EdgeVertices, mesh.NumberOfVertices);
@@ -326,8 +313,7 @@ std::string DescribeHanging(const Mesh& mesh, std::vector<vtkIdType> points,
   }
   Buffer<unsigned char> isOpen(mesh.NumberOfVertices, 0);
   std::for_each(points.begin(), points.end(), [&](vtkIdType point) { isOpen[point] = 1; });
-  const auto getPart = [&](vtkIdType i)
-  { return dimension == 2 ? GetFace(mesh, i) : Part<Id>{ mesh.EdgeVertices.data() + 2 * i, 2 }; };
+  const auto getPart = [&](vtkIdType i) { return GetPart(mesh, Owner{ dimension, i }); };
   const vtkIdType count = dimension == 1 ? mesh.EdgeVertices.size() / 2
     : dimension == 2                     ? vtkIdType(mesh.NumberOfFaces)
                                          : 0;
@@ -354,8 +340,18 @@ std::string DescribeHanging(const Mesh& mesh, std::vector<vtkIdType> points,
     ForOpenParts(mesh, [&](const auto* vertices, int size, const Owner& owner)
       { hanging.AddHost(vertices, size, owner); });
   }
-  hanging.Find(dimension == 1, [&](const Owner& owner, vtkIdType vertex)
-    { return isOpen[vertex] && !HasVertex(mesh, owner, vertex); });
+  // Cells that share a face, or triangles that share an edge, fit, also if one of them is flat.
+  const auto fit = [&](const Owner& a, const Owner& b)
+  {
+    const auto part = GetPart(mesh, a);
+    const auto other = GetPart(mesh, b);
+    return std::min(a.Dimension, b.Dimension) > 1 &&
+      std::count_if(part.Ids, part.Ids + part.Size,
+        [&other](auto vertex) { return other.Has(vertex); }) >= std::min(a.Dimension, b.Dimension);
+  };
+  hanging.Find(
+    dimension == 1, [&](const Owner& owner, vtkIdType vertex)
+    { return isOpen[vertex] && !GetPart(mesh, owner).Has(vertex); }, fit);
   return hanging.Describe(options);
 }
 

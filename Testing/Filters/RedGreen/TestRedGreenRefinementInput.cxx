@@ -358,6 +358,7 @@ TEST(RedGreenNotFinite, NoCellIsInARangeByThem)
   EXPECT_EQ(output->GetNumberOfCells(), 6);
   // Where no value is a number, that is said.
   box->GetPointData()->GetArray("V")->Fill(NotANumber);
+  box->GetPointData()->GetArray("V")->Modified();
   vtkNew<Messages> messages;
   Refine(
     box,
