@@ -121,18 +121,6 @@ public:
     TET_OCT,
     LINEAR
   };
-  /// How polygons are split and smoothed, by vtkSurfaceSubdivision, which has LINEAR, too, and
-  /// others.
-  enum SurfaceSchemes
-  {
-    LOOP,
-    MODIFIED_BUTTERFLY,
-    CATMULL_CLARK,
-    DOO_SABIN,
-    MIDEDGE,
-    FOUR_EIGHT,
-    SQRT_THREE
-  };
 
   ///@{
   /**

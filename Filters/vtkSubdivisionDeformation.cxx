@@ -156,16 +156,6 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   return 1;
 }
 
-void vtkSubdivisionDeformation::SetSurfaceScheme(int scheme)
-{
-  const int taken = scheme <= LOOP ? LOOP : CATMULL_CLARK; // there are no others
-  if (this->SurfaceScheme != taken)
-  {
-    this->SurfaceScheme = taken;
-    this->Modified();
-  }
-}
-
 int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -177,7 +167,9 @@ int vtkSubdivisionDeformation::RequestData(
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
-  options.SurfaceScheme = static_cast<subdivision::SurfaceSchemeKind>(this->SurfaceScheme);
+  options.SurfaceScheme = this->SurfaceScheme == CATMULL_CLARK
+    ? subdivision::SurfaceSchemeKind::CatmullClark
+    : subdivision::SurfaceSchemeKind::Loop;
   options.Outside = static_cast<subdivision::OutsideRule>(this->OutsidePoints);
   options.TransformVectors = this->TransformVectors;
   subdivision::ReadSharedOptions(this, options);

@@ -143,13 +143,18 @@ public:
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
   ///@}
 
+  enum SurfaceSchemes
+  {
+    LOOP,
+    CATMULL_CLARK
+  };
   ///@{
   /**
    * How the surfaces of a control mesh are split and smoothed: LOOP (0, the default; quads and
-   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (2; polygons become
+   * polygons become triangles first, and solids are welcome) or CATMULL_CLARK (1; polygons become
    * quads, for control meshes without solids), see above.
    */
-  virtual void SetSurfaceScheme(int scheme);
+  vtkSetClampMacro(SurfaceScheme, int, LOOP, CATMULL_CLARK);
   vtkGetMacro(SurfaceScheme, int);
   void SetSurfaceSchemeToLoop() { this->SetSurfaceScheme(LOOP); }
   void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }

@@ -179,7 +179,6 @@ public:
   /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
-  /// The numbers of SurfaceSchemes (vtkSubdivisionAlgorithm), then LINEAR.
   enum Schemes
   {
     LOOP,

@@ -51,6 +51,7 @@ struct Host
   std::size_t First; ///< of its points in the list of all hosts
   int Size;
   Owner Of;
+  bool IsOpen; ///< no other cell has it
 };
 
 /// The open points that hang.
@@ -81,16 +82,15 @@ public:
     this->Tree = SimplexTree(this->X.data(), 1, this->Ids);
   }
   template <typename Id>
-  void AddHost(const Id* vertices, int size, const Owner& owner)
+  void AddHost(const Id* vertices, int size, const Owner& owner, bool isOpen)
   {
-    this->Hosts.push_back({ this->Corners.size(), size, owner });
+    this->Hosts.push_back({ this->Corners.size(), size, owner, isOpen });
     std::transform(vertices, vertices + size, std::back_inserter(this->Corners),
       [this](Id vertex) { return this->Numbers[vertex]; });
     this->HostOf.insert(this->HostOf.end(), size, static_cast<int>(this->Hosts.size()) - 1);
   }
   /// `mayHang(owner, vertex)`: whether a point can hang on a host of this owner; `isSingle`: it
-  /// needs no edge along the host; `fit(owner,
-  /// other)`: whether cells fit, so that no point of one hangs on the other.
+  /// needs no edge along the host; `fit(owner, other)`: whether cells share an edge or a face.
   template <typename MayHang, typename Fit>
   void Find(bool isSingle, const MayHang& mayHang, const Fit& fit)
   {
@@ -208,8 +208,10 @@ private:
     }
     return points;
   }
-  /// Whether a line ends at a point, or an edge of another cell leaves it along the host. An edge
-  /// that is hardly longer than the tolerance may have any direction.
+  /// Whether a line ends at a point, or an edge of another cell leaves it along the host. Where the
+  /// cells fit, there have to be edges on two sides along a part of the border, because flat cells
+  /// have points on their own edges. An edge hardly longer than the tolerance may have any
+  /// direction.
   template <typename Fit>
   bool HasAlong(const Host& host, int point, const Row<int>& around, const Fit& fit) const
   {
@@ -219,25 +221,37 @@ private:
     }
     const FlatPart part = this->MakePart(host);
     const double* x = this->GetPoint(point);
-    const auto isAlong = [&](int corner)
+    std::vector<vectors::Vector> sides; // of cells that fit
+    for (const int other : around)
     {
-      double at[3];
-      for (int k = 0; k < 3; ++k)
+      const Host& edge = this->Hosts[other];
+      const bool isOwn =
+        std::tie(edge.Of.Dimension, edge.Of.Index) == std::tie(host.Of.Dimension, host.Of.Index);
+      for (int i = 0; !isOwn && i < edge.Size; ++i)
       {
-        at[k] = x[k] + (this->GetPoint(corner)[k] - x[k]) / 16.; // it may end beyond the host
+        const int corner = this->Corners[edge.First + i];
+        const double* end = this->GetPoint(corner);
+        vectors::Vector at; // it may end beyond the host
+        vectors::Vector step;
+        for (int k = 0; k < 3; ++k)
+        {
+          step[k] = (end[k] - x[k]) / 16.;
+          at[k] = x[k] + step[k];
+        }
+        const bool isAlong = corner != point && GetLength(x, at.data()) > part.GetTolerance() &&
+          part.Find(at.data()) != FlatPart::Off;
+        if (isAlong && !fit(edge.Of, host.Of))
+        {
+          return true;
+        }
+        if (isAlong && host.IsOpen)
+        {
+          sides.push_back(step);
+        }
       }
-      return corner != point && GetLength(x, at) > part.GetTolerance() &&
-        part.Find(at) != FlatPart::Off;
-    };
-    return std::any_of(around.begin(), around.end(),
-      [&](int other)
-      {
-        const Host& edge = this->Hosts[other];
-        const int* begin = this->Corners.data() + edge.First;
-        return std::tie(edge.Of.Dimension, edge.Of.Index) !=
-          std::tie(host.Of.Dimension, host.Of.Index) &&
-          !fit(edge.Of, host.Of) && std::any_of(begin, begin + edge.Size, isAlong);
-      });
+    }
+    return std::any_of(sides.begin(), sides.end(),
+      [&sides](const auto& side) { return vectors::Dot(side, sides[0]) < 0.; });
   }
   const double* GetPoint(int i) const { return this->X.data() + 3 * static_cast<std::size_t>(i); }
 

@@ -333,12 +333,12 @@ std::string DescribeHanging(const Mesh& mesh, std::vector<vtkIdType> points,
   for (const vtkIdType i : near)
   {
     const auto part = getPart(i);
-    hanging.AddHost(part.Ids, part.Size, Owner{ dimension, i });
+    hanging.AddHost(part.Ids, part.Size, Owner{ dimension, i }, false);
   }
   if (dimension > 1)
   {
     ForOpenParts(mesh, [&](const auto* vertices, int size, const Owner& owner)
-      { hanging.AddHost(vertices, size, owner); });
+      { hanging.AddHost(vertices, size, owner, true); });
   }
   // Cells that share a face, or triangles that share an edge, fit, also if one of them is flat.
   const auto fit = [&](const Owner& a, const Owner& b)
