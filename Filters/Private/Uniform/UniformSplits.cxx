@@ -130,8 +130,7 @@ bool UniformRun::FindSplit()
 /// Whether a level that was built has no rules that depend on cells far away.
 bool UniformRun::IsLocal() const
 {
-  return std::visit([](const auto& level)
-    { return !HasEqualCells(level.Complex) && level.Strata.Sectors.empty(); }, this->Current);
+  return std::visit([](const auto& level) { return !HasEqualCells(level.Complex); }, this->Current);
 }
 
 /// Leaves of the level after `step` steps the cells that go on and, where no semi-sharp rule holds
