@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -157,7 +158,7 @@ TEST(Partitions, GiveTheWholeOfSurfaces)
   for (size_t m = 0; m < meshes.size(); m += 3)
   {
     const Mesh surface = MakeSkin(meshes[m]);
-    for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= vtkSubdivisionAlgorithm::SQRT_THREE;
+    for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
       ++scheme)
     {
       for (const SurfaceChoice& choice : SurfaceChoices)
@@ -282,7 +283,7 @@ TEST(Partitions, OfALargeMeshAreNotTheWhole)
     ExpectWhole(whole, SubdivideParts(Cut(box, halves), halves, options));
   }
   const Mesh skin = MakeSkin(MakeMixedBox(16));
-  for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= vtkSubdivisionAlgorithm::SQRT_THREE;
+  for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
     ++scheme)
   {
     SCOPED_TRACE(scheme);

@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
 
 #include <functional>
 #include <memory>
@@ -26,7 +27,7 @@ namespace
 {
 
 /// Of those that do not halve edges.
-constexpr int FirstScheme = vtkSubdivisionAlgorithm::DOO_SABIN;
+constexpr int FirstScheme = vtkSurfaceSubdivision::DOO_SABIN;
 constexpr int NumberOfSchemes = 4;
 constexpr const char* AnglesName = "Angles";
 constexpr const char* Names[] = { "DooSabin", "Midedge", "FourEight", "SqrtThree" };
@@ -211,7 +212,7 @@ TEST(PartitionsAfresh, GiveWayToOtherSchemes)
     [](const Mesh& mesh, int scheme, const Partition& partition)
     {
       const int other = FirstScheme + (scheme + 1 - FirstScheme) % 2 +
-        (scheme < vtkSubdivisionAlgorithm::FOUR_EIGHT ? 0 : 2);
+        (scheme < vtkSurfaceSubdivision::FOUR_EIGHT ? 0 : 2);
       const std::vector<SurfaceOptions> filters = { MakeOptions(scheme, 1), MakeOptions(other, 1) };
       ExpectWhole(
         Subdivide(mesh, filters), SubdivideParts(Cut(mesh, partition), partition, filters));
@@ -229,7 +230,7 @@ TEST(PartitionsAfresh, GiveWayToAdaptiveRefinement)
         return; // slabs have the most layers
       }
       SurfaceOptions first = MakeOptions(scheme, 1);
-      SurfaceOptions second = MakeOptions(vtkSubdivisionAlgorithm::SQRT_THREE, 0);
+      SurfaceOptions second = MakeOptions(vtkSurfaceSubdivision::SQRT_THREE, 0);
       second.Warn = [](const std::string&) {};
       subdivision::RefinementOptions criteria;
       criteria.ByCurvature = true;

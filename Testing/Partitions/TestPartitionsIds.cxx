@@ -13,6 +13,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <limits>
@@ -207,17 +208,17 @@ void ForCases(const Test& test)
 }
 
 /// The last that goes on; those after it: TestPartitionsAfresh.cxx.
-constexpr int LastThatGoesOn = vtkSubdivisionAlgorithm::MODIFIED_BUTTERFLY;
+constexpr int LastThatGoesOn = vtkSurfaceSubdivision::CATMULL_CLARK;
 
 /// The same for surfaces, with lines and vertices. test(mesh, scheme, findsFeatures, partition).
 template <typename Test>
-void ForSurfaces(const Test& test, int last = vtkSubdivisionAlgorithm::SQRT_THREE)
+void ForSurfaces(const Test& test, int last = vtkSurfaceSubdivision::SQRT_THREE)
 {
   size_t turn = 0;
   for (const Mesh& mesh : MakeMeshes())
   {
     const Mesh surface = MakeSkin(mesh);
-    for (int scheme = vtkSubdivisionAlgorithm::LOOP; scheme <= last; ++scheme)
+    for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= last; ++scheme)
     {
       const bool findsFeatures = turn % 2 == 1;
       const Partition& partition = Partitions[turn++ % std::size(Partitions)];

@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSurfaceSubdivision.h"
 
 #include <iterator>
 #include <mutex>
@@ -152,8 +153,8 @@ TEST(PartitionsInterpolation, GiveTheWholeOfSurfaces)
   for (std::size_t m = 0; m < meshes.size(); m += 3)
   {
     const Mesh surface = MakeSkin(meshes[m]);
-    for (int scheme = vtkSubdivisionAlgorithm::LINEAR;
-      scheme <= vtkSubdivisionAlgorithm::SQRT_THREE; ++scheme)
+    for (int scheme = vtkSubdivisionAlgorithm::LINEAR; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
+      ++scheme)
     {
       for (const Choice& choice : Choices)
       {
