@@ -285,12 +285,11 @@ public:
    * The limit is read off a mesh of 3 more levels, of 4 if there are solids. Further levels of
    * NumberOfLevels cost what they split: they are made for these cells alone. But with blocks, on
    * several ranks, with GenerateLimitNormals, GenerateTangents, GenerateClassification,
-   * OutputDimensions, values that jump, rules that angles decide or cells with equal points all of
-   * the mesh is made by each level that some cell needs. MaximumNumberOfCells counts Bezier cells,
-   * on each rank its own. There are no global ids and no ghost cells of
-   * the pipeline, and the next filter reads the corners of the cells like any other mesh. Without
-   * effect on ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes a warning says that
-   * cells stay linear.
+   * OutputDimensions, values that jump or cells with equal points all of the mesh is made by each
+   * level that some cell needs. MaximumNumberOfCells counts Bezier cells, on each rank its own.
+   * There are no global ids and no ghost cells of the pipeline, and the next filter reads the
+   * corners of the cells like any other mesh. Without effect on ComputeOperator. With VolumeScheme
+   * = TET_OCT or KeepCellTypes a warning says that cells stay linear.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);
