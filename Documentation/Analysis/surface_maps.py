@@ -87,6 +87,15 @@ def with_points(made, points):
     return moved
 
 
+def least(matrix, count):
+    """Orthonormal columns x for which |matrix x| is least, by inverse iteration; much faster than all singular vectors."""
+    shifted = matrix + 1e-13 * np.eye(len(matrix))  # so that it has an inverse
+    columns = np.random.default_rng(1).standard_normal((len(matrix), count))
+    for _ in range(4):
+        columns = np.linalg.qr(np.linalg.solve(shifted, np.linalg.solve(shifted.T, columns)))[0]
+    return columns
+
+
 class Local:
     """What a step does around vertex 0, one level in, to the points up to three rings of that level away."""
 
@@ -121,8 +130,7 @@ class Local:
         one, other = np.real(self.values(3)[1:])
         # An eigenvector minimises |(A - l) x|; of two equal eigenvalues so do two vectors.
         groups = [((one + other) / 2, 2)] if abs(one - other) < 1e-6 else [(one, 1), (other, 1)]
-        pair = np.concatenate([np.linalg.svd(self.matrix - value * np.eye(len(self.here)))[2][-count:]
-                               for value, count in groups]).T
+        pair = np.hstack([least(self.matrix - value * np.eye(len(self.here)), count) for value, count in groups])
         points = np.zeros((self.first.GetNumberOfPoints(), 3))
         points[self.here, :2] = pair - pair[self.here == 0]
         fine = run(with_points(self.first, points), self.scheme, levels, **self.options)
