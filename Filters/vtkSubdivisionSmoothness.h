@@ -16,40 +16,28 @@
  * l1 >= l2 > l3, and for solids condition (24), 1 > l1 >= l2 >= l3 > l4, which they call empirical.
  * The eigenvectors of l1, l2 (and l3) are the characteristic map. U. Reif (1995) proved for
  * surfaces that the limit is C^1 if the condition holds and this map is regular and injective. For
- * solids there is no such theorem in these papers: there the answers are necessary, and no proof.
- * `Failing` is 1 where a condition does not hold or the map is not regular or not injective.
+ * solids the answers are necessary, and no proof. `Failing` is 1 where a condition does not hold or
+ * the map is not regular or not injective. Figures: Documentation/Mathematics.md, section 9.
  *
  * @par Which matrix
  * The dimension d of a vertex's rule decides. d = 3: all neighbours, condition (24). d = 2: the
- * neighbours in the surface or the boundary, condition (23). d = 1: those on the curve, 1 > l1 >
- * l2. d = 0, a vertex that stays: its matrix is 1 alone, and there is no condition. Blended joints,
- * which are no manifolds, have eigenvalues of all their neighbours and no condition. Besides, each
- * sector of a surface or a boundary at a vertex with d = 0 or 1, from one curve to the next, is a
- * cell of its own: there (23) has to hold with the eigenvalue of the curve (of both curves at a
- * corner) among l1 and l2, else the surface folds. With BOX_SPLINE and TET_OCT
- * these are the rules of vtkMultiDimensionalSubdivision; with ModifiedBoundary off those of the
- * first paper, for which sectors of six and more triangles fail.
- *
- * @par Edges and faces
- * Edges inside solids: the vertex in the middle, after one step, whose eigenvalues depend on the
- * number of tetrahedra and, in the box spline, on the edges that these mark. Faces inside solids: a
- * vertex inside, after two steps. On surfaces and curves what steps make inside edges is regular,
- * and so it is inside faces but for schemes that put a vertex into the middle of a face
- * (CATMULL_CLARK, FOUR_EIGHT). In DOO_SABIN and MIDEDGE, which keep no vertex, a vertex with k
- * faces, or a face of k corners, is examined as a face of k corners; boundaries are not examined
- * there.
+ * neighbours in the surface or the boundary, condition (23). d = 1: the neighbours on the curve, 1
+ * > l1 > l2. d = 0, a vertex that stays: no condition. Blended joints have eigenvalues of all their
+ * neighbours and no condition. Each sector of a surface or a boundary at a vertex with d = 0 or 1,
+ * from one curve to the next, is a cell of its own: there (23) has to hold with the eigenvalue of
+ * the curve (of both curves at a corner) among l1 and l2, else the surface folds. Of edges and
+ * faces inside solids the vertices that steps make in them are examined. On surfaces this is asked
+ * of faces in CATMULL_CLARK and FOUR_EIGHT alone: all others are regular. In DOO_SABIN and MIDEDGE,
+ * which keep no vertex, a vertex with k faces, or a face of k corners, is examined as a face of k
+ * corners; boundaries are not examined there.
  *
  * @par Sampling
- * Surfaces: a regular mesh around one vertex with as many faces stands for the real one, and the
- * map, with SampleMaps, is looked at by all faces of two further levels (SQRT_THREE and FOUR_EIGHT:
- * two steps) between the first ring and its image by a step: faces keep their orientation
- * (regular), and the first ring goes around once (injective), or less than once at a curve. In
- * DOO_SABIN and MIDEDGE the face that is examined lies in the middle, and the ring is that of the
- * vertices an edge away from its corners; a step (MIDEDGE: two) takes it to the corners. Solids: by
- * all tetrahedra of the next level between the ones that touch the vertex and three times as far:
- * they have one orientation (regular), and those at the vertex go around it once (injective).
- * Points between are not looked at. Nothing is sampled where a condition fails, at joints, and at
- * vertices with octahedra.
+ * With SampleMaps the characteristic map is looked at by all faces of two further levels between
+ * the first ring of a regular mesh around one such vertex and the image of this ring by a step:
+ * faces keep their orientation (regular), and the first ring goes around once (injective), or less
+ * than once at a curve. Solids: by all tetrahedra of the next level between those that touch the
+ * vertex and three times as far. Points between are not looked at. Nothing is sampled where a
+ * condition fails, at joints, and at vertices with octahedra.
  *
  * @par Inputs
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -80,16 +68,11 @@
  * @par Characteristic map
  * With MapOfCell the output is the characteristic map of that cell: what the limit looks like at
  * the vertex, sector, edge or face, but for a linear map and what vanishes when one looks from
- * near. Its points are the eigenvectors of l1 and l2, and l3 in solids, around the vertex that is
- * examined, after MapLevels further levels (SQRT_THREE, FOUR_EIGHT and MIDEDGE: of two steps each),
- * as far as they are known from the star of the vertex, edge or face. Complex eigenvalues have the
- * real and the imaginary part of a vector. Eigenvectors of equal eigenvalues are not unique, and
- * none has a scale: of all linear images the one is chosen whose points have equal moments in all
- * directions, whose middle is the origin, whose first edge lies on the x axis, as long as in the
- * star, and in solids whose second edge lies in the x-y plane. Cells are triangles, quads or
- * tetrahedra. In DOO_SABIN and MIDEDGE, which keep no vertex, the star is a face with four layers
- * of faces around it, its middle is the origin, and the middle of one of its edges lies on the x
- * axis, half a ring away.
+ * near. Its points are the eigenvectors of l1 and l2, and l3 in solids, after MapLevels further
+ * levels (SQRT_THREE, FOUR_EIGHT and MIDEDGE: of two steps each). Complex eigenvalues have the real
+ * and the imaginary part of a vector. Of all linear images the one is chosen whose points have
+ * equal moments in all directions, whose middle is the origin, and whose first edge lies on the x
+ * axis, as long as in the star. Cells are triangles, quads or tetrahedra.
  *  - `Jacobian` (cells, double): the size of a cell divided by what it has in the star. Negative:
  * the map folds there, and is not regular.
  *  - `Ring` (points, double): how many rings of the star the point is away from the middle.

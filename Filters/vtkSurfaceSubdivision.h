@@ -12,24 +12,15 @@
  * sqrt(3) L. Kobbelt, "sqrt(3)-Subdivision". Next to a boundary, crease or corner the rules depend
  * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
  * around are also flattened, so that the surface does not fold (section 3.2). ModifiedBoundary off
- * gives the plain rules. Loop is that of vtkMultiDimensionalSubdivision, also where parts meet, but
- * that here a boundary counts like a crease where creases meet it, flagged polygons at boundaries
- * and joints do not replace these, equal faces count as two, the angles of corners are measured
- * (there they are those of the array at index 10 alone), and the last level of a sharpness that is
- * no whole number has other weights.
+ * gives the plain rules. All weights, limits and spectra, and the five differences between Loop
+ * here and in vtkMultiDimensionalSubdivision: Documentation/Mathematics.md, sections 11 and 12.
  *
  * @par Modified Butterfly
- * Section 4 of the survey. Points stay, because the scheme interpolates, and are on the limit. New
- * points have the eight-point rule on edges between vertices of six faces, and the rules of the
- * survey's table at other vertices inside and next to curves (the mean of two if both ends are
- * extraordinary). On boundaries, creases and lines they have the four-point rule, which continues a
- * curve straight beyond its end; a crease is a boundary for both its sides. Corners have a rule of
- * the same kind, which halves functions that are linear in the sector: they need no flatness and
- * have it only if it is given. Vertices where a crease ends count as extraordinary.
- * ModifiedBoundary changes nothing. The new weights are exact for cubic functions inside regular
- * meshes, for quadratic ones at regular curves, and for linear ones between two regular curves. On
- * closed surfaces the points are those of vtkButterflySubdivisionFilter for vertices of three and
- * more faces.
+ * Points stay, because the scheme interpolates, and are on the limit. Boundaries, creases and lines
+ * have the four-point rule. Corners need no flatness and have it only if it is given. Vertices
+ * where a crease ends count as extraordinary. ModifiedBoundary changes nothing. New points are
+ * exact for cubic functions inside regular meshes, for quadratic ones at regular curves, and for
+ * linear ones between two regular curves.
  *
  * @par Input and output
  * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly,
@@ -53,24 +44,16 @@
  * @par Dual schemes
  * DooSabin makes a face inside each face, one along each edge and one around each vertex. Midedge
  * joins the midpoints of edges: it makes a face inside each face and one around each vertex; odd
- * steps keep boundary points, even ones do not. It is not smooth at faces of three sides,
- * vertices of three faces and boundaries. No input point is an output point: points are new, in the
- * order of the corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come first,
- * then the others, oriented like the first face that they touch. Boundaries are uniform quadratic
- * B-splines (Chaikin's scheme; for Midedge two steps of it are one of Chaikin's). Sheets come apart
- * at edges of three and more faces, and fans at vertices. A closed fan of two faces makes no face:
- * its two edges become one. Lines and vertex cells get points of their own, also where they lie on
- * the surface: lines are cubic B-splines whose ends and joints stay, as do vertex cells and points
- * that no cell uses. The limit surface goes through the mean of the corners of each face of any
- * level. The limit of a point is that at the face which the next step makes around it, on a
- * boundary in the middle of the side which it makes there, and of lines that of the cubic B-spline;
- * where several fans of faces meet it is that of the first one. Exact but for Midedge at a point
- * between two faces that share more than three edges in a row, and not all. DooSabin has two
- * tangents at points inside and on boundaries, but not between two faces; Midedge has two inside at
- * points of four and more faces, and one along boundaries. Points of Midedge that can be coloured
- * black and white, neighbours differently, as those of quads mostly can, have no control points for
- * InterpolatePoints, nor do those of FourEight on quads; a warning says so. DooSabin takes time
- * quadratic in the number of corners of a face.
+ * steps keep boundary points, even ones do not. No input point is an output point: points are new,
+ * in the order of the corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come
+ * first, then the others, oriented like the first face that they touch. Boundaries are quadratic
+ * B-splines; sheets come apart at edges of three and more faces, and fans at vertices. Lines and
+ * vertex cells get points of their own, also where they lie on the surface. The limit of a point is
+ * that at the face which the next step makes around it; where several fans of faces meet it is that
+ * of the first one. DooSabin has two tangents inside and on boundaries; Midedge has two inside at
+ * points of four and more faces, and one along boundaries. Points of Midedge, and of FourEight on
+ * quads, that can be coloured with two colours have no control points for InterpolatePoints; a
+ * warning says so.
  *
  * @par Creases and corners
  * Sharp are boundaries, edges of line cells that the array at index 0 flags, edges around flagged
@@ -86,15 +69,10 @@
  * part, s - floor(s), between the rows without and with all creases that are left in part. An
  * infinite one is flagged.
  *
- * SqrtThree and FourEight leave curves alone in odd steps; in even ones SqrtThree cuts them into
- * thirds and FourEight in halves, by the rules of the cubic B-spline. They replace all other edges,
- * so that line cells are creases with any flag or sharpness, and an end of a crease is a corner.
- * FourEight has triangles on curves after odd steps. A limit of FourEight reads all faces that
- * touch those of a point; where the points of these are not inside, with four quads each, its row
- * is made by up to four steps around it, in some 20 microseconds. These two have no rules for the
- * number of faces on a curve, and ModifiedBoundary changes nothing: tangent planes exist on curves
- * for two to five (SqrtThree) and for two and three faces (FourEight), at corners for up to two and
- * for one.
+ * SqrtThree and FourEight leave curves alone in odd steps. They replace all other edges, so that
+ * line cells are creases with any flag or sharpness, and an end of a crease is a corner. FourEight
+ * has triangles on curves after odd steps. These two have no rules for the number of faces on a
+ * curve, and ModifiedBoundary changes nothing.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
