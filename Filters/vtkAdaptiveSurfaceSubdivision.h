@@ -13,29 +13,29 @@
  * with the number of rounds. Before a triangle is split its neighbours are brought to its
  * generation; boundaries, creases and lines are cut into thirds in every second step, on all their
  * sides at once. All points, and all arrays that are smoothed, are on the limit, exact to rounding:
- * where everything is split they are those that vtkSurfaceSubdivision gives with SQRT_THREE and
- * ProjectToLimit, with the same ids.
+ * where everything is split vtkSurfaceSubdivision with SQRT_THREE and ProjectToLimit gives the same
+ * points, with the same ids.
  *
  * @par Criteria
- * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7), and with the defaults
+ * The criteria of vtkRefinementAlgorithm, with its arrays (5 to 7), and with the defaults
  * RefineByGeometricError (here 1 by default) and RefineByAttributeError (here 0 by default). All of
- * them look at limits (in vtkRedGreenRefinement edge lengths, jumps and centres of cells are those
- * of the mesh before the limit). A level is one step, which makes three triangles of one; lines are
- * cut in every second step. Where a criterion of cells asks for a triangle, those across its edges
- * are split too. Where it asks for a cell of the input, it asks for all triangles that lie in this
- * cell.
+ * them look at limits (vtkRedGreenRefinement takes edge lengths, jumps and centres of cells from
+ * the mesh before the limit). A level is one step, which makes three triangles of one; lines are
+ * cut in every second step. Where a criterion of cells asks for a triangle, the triangles across
+ * its edges are split too. Where it asks for a cell of the input, it asks for all triangles that
+ * lie in this cell.
  *
- * The geometric error of a triangle is its distance from the limit at its centre and at three
- * places of each of its edges, of a boundary edge or line that of these, each made larger by a
- * third for what lies between; GeometricTolerance allows it. This is an estimate and no bound; in
+ * The geometric error of a triangle is the largest distance from the limit at its centre and at
+ * three places of each of its edges (of a boundary edge or line at these places alone), made larger
+ * by a third for places between; GeometricTolerance allows it. This is an estimate and no bound; in
  * 580 runs on 160 rough random meshes mesh and limit were nowhere farther from each other than 0.98
  * times GeometricTolerance.
  *
  * @par Input and output
  * As in vtkSurfaceSubdivision with its scheme SQRT_THREE: polygons that are no triangles are split
- * into triangles first, and boundaries, creases, corners and lines are those of
- * that scheme. Line cells are creases with any flag or sharpness, and an end of a crease is a
- * corner, so that CreaseEnd changes nothing; joints are sharp whatever Type1Rule to Type3Rule are.
+ * into triangles first, and boundaries, creases, corners and lines follow the rules of that scheme.
+ * Line cells are creases with any flag or sharpness, and an end of a crease is a corner, so that
+ * CreaseEnd changes nothing; joints are sharp whatever Type1Rule to Type3Rule are.
  *
  * @par Arrays written
  * Always `vtkOriginalCellIds`, and the cell array `Generation` (unsigned char: twice the number of
@@ -47,17 +47,17 @@
  * The next filter takes the output for a mesh like any other.
  *
  * @par Complexity
- * Rounds cost in proportion to what they split, and about 280 bytes are needed for each triangle of
- * the output.
+ * Rounds cost in proportion to the triangles that they split, and about 280 bytes are needed for
+ * each triangle of the output.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Hidden
  * cells are left out; ghost cells are refined like others. The partitions of several ranks
  * (Controller) are refined as one surface, whatever their borders: triangles, points and arrays are
- * those that one rank makes of the whole. But at MaximumNumberOfCells, which is that of all ranks
- * together, the last round leaves out all places below one error, and so more of them. A rank needs
- * three layers of the triangles of others, and exchanges splits in each round, mostly once or
- * twice.
+ * the same as one rank makes of the whole. But at MaximumNumberOfCells, which counts the cells of
+ * all ranks together, the last round leaves out all places below one error, and so more of them. A
+ * rank needs three layers of the triangles of others, and exchanges splits in each round, mostly
+ * once or twice.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.

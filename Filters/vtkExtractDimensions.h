@@ -9,7 +9,7 @@
  * meshes that mix dimensions, of which ParaView's volume rendering draws nothing.
  *
  * Point and cell data follow their points and cells, with ids, ghost types and active attributes.
- * Field data pass through, but for those by which filters of this project recognise their own
+ * Field data pass through, but for the stamps by which filters of this project recognise their own
  * output: they cannot go on with a part of the cells. With all dimensions the output is the input.
  * Each rank works on its part by itself. Blocks of other classes pass through.
  *
@@ -41,8 +41,8 @@ public:
   ///@{
   /**
    * Which cells the output has, a sum of VERTICES (1), LINES (2), SURFACES (4) and SOLIDS (8): from
-   * NO_DIMENSION (0) to ALL_DIMENSIONS (15). SOLIDS (8, the default) is what volume rendering
-   * needs.
+   * NO_DIMENSION (0) to ALL_DIMENSIONS (15). SOLIDS (8, the default) are the cells that volume
+   * rendering needs.
    */
   vtkSetClampMacro(OutputDimensions, int, NO_DIMENSION, ALL_DIMENSIONS);
   vtkGetMacro(OutputDimensions, int);

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkMarkedSubdivisionAlgorithm
- * @brief   what the filters have in common in which a user marks corners, creases and surfaces
+ * @brief   common base of filters in which a user marks corners, creases and surfaces
  *
  * A mark makes a vertex, edge or triangle of the input singular, as if it were a cell that the
  * array at index 0 flags (see vtkSubdivisionAlgorithm), but no cell has to be there: points and
- * arrays of the output are, bit for bit, those of the input with such cells at its end. There are
- * four ways to mark, which may be used together: a point array, a selection, an implicit function,
- * and other geometry.
+ * arrays of the output are, bit for bit, the same as of the input with such cells at its end. There
+ * are four ways to mark, which may be used together: a point array, a selection, an implicit
+ * function, and other geometry.
  *
  * @par Marked points
  * An array, a selection and a function mark points. MarkCorners, MarkCreases and MarkSurfaces say
  * what these make singular: the points themselves, edges between two of them, and faces all of
- * whose points are marked. Edges and faces are those of the input's cells; cuts through cells that
- * are split first do not count (of cells that are cut along their nodes, QuadraticCells, all edges
- * of the pieces do).
+ * whose points are marked. Edges and faces belong to the input's cells; cuts through cells that are
+ * split first do not count (of cells that are cut along their nodes, QuadraticCells, all edges of
+ * the pieces do).
  *
  * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkSubdivisionAlgorithm (0 to 4):
+ * Besides the arrays of vtkSubdivisionAlgorithm (0 to 4):
  *  - 8, point array of marks: numbers, not 0 = marked. Unset: none. The output has zeros there,
  *    because the marks go on without it (see below).
  *  - 9, point array of the number of levels for which creases and surfaces between marked points
- *    stay sharp (see index 4; surfaces: those inside of solids): each has the smallest value of its
+ *    stay sharp (see index 4; surfaces: only inside of solids): each has the smallest value of its
  *    points; infinite = for ever, 0 or less = not singular. Unset: none, and all stay for ever.
  *
  * @par Selection

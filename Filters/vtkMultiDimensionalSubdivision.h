@@ -41,12 +41,12 @@
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
  * (unsigned char, 3 or 4 components), rounded after every level. Other integer, string and bit
- * point arrays keep their values at old points; a new point takes that of the end of its edge, or
- * of the vertex of its octahedron, whose global id is smallest. Children take the cell arrays of
+ * point arrays keep their values at old points; a new point takes the value of the end of its edge,
+ * or of the vertex of its octahedron, whose global id is smallest. Children take the cell arrays of
  * their cell, and its pedigree id. Global ids, and pedigree ids of points, are kept where no cell
  * or point is new; see GenerateOriginalIds. Field data pass through. Names, component names,
- * information keys, lookup tables and active attributes are kept, in blocks those of each block.
- * The filter adds, with VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request,
+ * information keys, lookup tables and active attributes are kept, in each block its own. The filter
+ * adds, with VolumeScheme = TET_OCT, the cell array `OctahedronId`; on request,
  * `vtkOriginalCellIds`, `vtkOriginalPointIds`, `LimitNormals`, and the arrays of
  * GenerateClassification and GenerateErrorBounds; always the field array `Subdivision` (and
  * `SubdivisionGlobalIds`, if the input had global ids, `SubdivisionInvertedCells`, if it had
@@ -182,10 +182,10 @@ public:
    * infinitely many levels: the mesh then is inscribed into the smooth object, whatever
    * NumberOfLevels is, 0 included. Each value becomes a weighted mean of the neighbours' (the left
    * eigenvector of the local subdivision matrix for the eigenvalue 1), exact to rounding, with all
-   * creases, joints and what is left of semi-sharp creases, and with either volume scheme. Cells
-   * are those without the option, but octahedra are cut around the diagonal that is shortest then.
-   * Needs, on the way, about as much time and memory as one more level. The points are no control
-   * points any more: the next filter reads the output like any other mesh. Off by default.
+   * creases, joints and semi-sharp creases that are left, and with either volume scheme. Cells are
+   * the same as without the option, but octahedra are cut around the diagonal that is shortest
+   * then. Needs, on the way, about as much time and memory as one more level. The points are no
+   * control points any more: the next filter reads the output like any other mesh. Off by default.
    */
   vtkSetMacro(ProjectToLimit, bool);
   vtkGetMacro(ProjectToLimit, bool);
@@ -204,14 +204,14 @@ public:
    * There is no tangent plane on curves, at corners, darts and non-manifold joints, on creases and
    * borders with seven and more triangles on a side (with ModifiedBoundary off), on surfaces inside
    * a solid, and on semi-sharp creases that are still sharp on the last level. So that nothing is
-   * drawn black, points with triangles there (those of surfaces and of the boundaries of solids)
-   * have the mean of the normals of the triangles in the limit, weighted by angle, the same on all
-   * levels (Mathematics 8), points of curves a direction perpendicular to the curve, and single
-   * points the z axis; where tangents are parallel but for rounding the normal is perpendicular to
-   * them. A part of a surface has the side of its first triangle there, too. All this
-   * depends on coordinates, not on numbers of points. Normals are zero only inside solids: no
-   * surface is there that they would be perpendicular to. Filters that make one, by cutting or
-   * clipping, have to make normals, too. Off by default.
+   * drawn black, points with triangles there (of surfaces and of the boundaries of solids) have the
+   * mean of the normals of the triangles in the limit, weighted by angle, the same on all levels
+   * (Mathematics 8), points of curves a direction perpendicular to the curve, and single points the
+   * z axis; where tangents are parallel but for rounding the normal is perpendicular to them. A
+   * part of a surface has the side of its first triangle there, too. All this depends on
+   * coordinates, not on numbers of points. Normals are zero only inside solids: no surface is there
+   * that they would be perpendicular to. Filters that make one, by cutting or clipping, have to
+   * make normals, too. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);
@@ -283,13 +283,13 @@ public:
    * are left out.
    *
    * The limit is read off a mesh of 3 more levels, of 4 if there are solids. Further levels of
-   * NumberOfLevels cost what they split: they are made for these cells alone. But with blocks, on
-   * several ranks, with GenerateLimitNormals, GenerateTangents, GenerateClassification,
-   * OutputDimensions, values that jump or cells with equal points all of the mesh is made by each
-   * level that some cell needs. MaximumNumberOfCells counts Bezier cells, on each rank its own.
-   * There are no global ids and no ghost cells of the pipeline, and the next filter reads the
-   * corners of the cells like any other mesh. Without effect on ComputeOperator. With VolumeScheme
-   * = TET_OCT or KeepCellTypes a warning says that cells stay linear.
+   * NumberOfLevels cost time for the cells that they split: they are made for these cells alone.
+   * But with blocks, on several ranks, with GenerateLimitNormals, GenerateTangents,
+   * GenerateClassification, OutputDimensions, values that jump or cells with equal points all of
+   * the mesh is made by each level that some cell needs. MaximumNumberOfCells counts Bezier cells,
+   * on each rank its own. There are no global ids and no ghost cells of the pipeline, and the next
+   * filter reads the corners of the cells like any other mesh. Without effect on ComputeOperator.
+   * With VolumeScheme = TET_OCT or KeepCellTypes a warning says that cells stay linear.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -299,9 +299,9 @@ public:
 
   ///@{
   /**
-   * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
-   * mesh, and the difference of each component of an array as a part of the array's range. Cells
-   * that were split NumberOfLevels times may leave out more. The filter looks at the points of one
+   * The distance from the limit that Bezier cells may have: as a part of the diagonal of the mesh,
+   * and the difference of each component of an array as a part of the array's range. Cells that
+   * were split NumberOfLevels times may leave out more. The filter looks at the points of one
    * further level, where two thirds of this are allowed. 0 to 1, default 0.0001. 0 splits all cells
    * whose limit is no polynomial, but for rounding, NumberOfLevels times.
    */
@@ -322,7 +322,7 @@ public:
   /**
    * Which cells the output has, a sum of VERTICES (1), LINES (2), TRIANGLES (4) and TETRAHEDRA (8):
    * from NO_DIMENSION (0) to ALL_DIMENSIONS (15, the default). All cells have their effect on the
-   * rules; those of other dimensions, and the points that only they use, are left out at the end.
+   * rules; cells of other dimensions, and the points that only they use, are left out at the end.
    * TETRAHEDRA alone is what volume rendering needs. Ids of GenerateGlobalIds are those of the
    * output with all dimensions. A filter cannot go on with a part of the cells: if this is not
    * ALL_DIMENSIONS, the next filter reads the output like any other mesh.
@@ -346,10 +346,10 @@ public:
    * topology: connectivity, offsets and types are shared with the previous output, and so are the
    * points if the coordinates are the same. Cells are compared by content, with a kept copy.
    * Choices made from coordinates (diagonals, polygon cuts, features) are made again; where one
-   * comes out differently, everything is built again: the output is always that of a fresh filter.
-   * Where only rules changed, operators are made again but the cells stay shared. Kept for the
-   * whole of a composite input, or for each block if JoinBlocks is off, until an update does not
-   * need it. On by default.
+   * comes out differently, everything is built again: the output always equals the output of a
+   * fresh filter. Where only rules changed, operators are made again but the cells stay shared.
+   * Kept for the whole of a composite input, or for each block if JoinBlocks is off, until an
+   * update does not need it. On by default.
    */
   void SetCacheOperator(bool cache);
   vtkGetMacro(CacheOperator, bool);
@@ -357,11 +357,11 @@ public:
   ///@}
 
   /**
-   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * Computes the matrix by which the filter moves points, with the present options on the present
    * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
-   * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues.
-   * With CacheOperator an update before has made most of it, and the next one can use it. Points
-   * are numbered as OutputDimensions = ALL_DIMENSIONS numbers them.
+   * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues. With
+   * CacheOperator an update before has made most of it, and the next one can use it. Points are
+   * numbered as OutputDimensions = ALL_DIMENSIONS numbers them.
    */
   bool ComputeOperator(vtkSubdivisionOperator* result);
 
@@ -372,7 +372,7 @@ public:
    * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
    * w; no weight is negative. In an output of TET_OCT it may be a piece of an octahedron. Cells
    * that the filter cuts, such as quads and hexahedra, have no places; vtkSurfaceSubdivision has
-   * those of polygons.
+   * places in polygons.
    *
    * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
    * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,
@@ -381,7 +381,7 @@ public:
    * of the cell turn; on curves MeanCurvature has the curvature of the curve. All others are 0.
    *
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less. So are derivatives
-   * of curves and surfaces, beside joints, creases and what is semi-sharp, too: down to 2^-48 of a
+   * of curves and surfaces, beside joints, creases and semi-sharp ones, too: down to 2^-48 of a
    * cell from an irregular vertex their error is at most 1e-12 of the weights of the largest
    * derivative there. These weights change as (2 lambda)^k at 2^-k of a cell, with the second
    * eigenvalue lambda of the vertex: with three to five triangles derivatives tend to 0, with seven
@@ -391,7 +391,7 @@ public:
    * third eigenvalue mu, so as many digits are lost. At irregular vertices curvatures are 0.
    *
    * In solids derivatives are as exact wherever they exist: inside of cells, on faces and on
-   * boundaries, where they are those from the side of the cell, and beside joints. The limit has no
+   * boundaries, where they are taken from the side of the cell, and beside joints. The limit has no
    * derivatives by these parameters AT edges and vertices that are not regular (by TET_OCT all of
    * the control mesh) and, by BOX_SPLINE, at faces whose two tetrahedra are not cut in the same
    * way; so there are none in lines and triangles inside of solids that go along these and are not
@@ -400,11 +400,11 @@ public:
    * that 2^-k of a cell from what is not regular the error is 2^(k - 50) more.
    *
    * AT an extraordinary vertex of a surface the limit has no derivatives by these parameters
-   * either. What the arrays have there is the slope over a part of 2^-52 of the cell. Its length
-   * means nothing, and its direction comes near the tangent plane only (the normal is wrong by
-   * 1e-12 with seven triangles, by 1e-5 with twelve, by 1e-9 with four). GenerateLimitNormals has
-   * exact normals there, and vtkSurfaceSubdivision::EvaluateLimit exact tangent planes. Returns
-   * false after an error.
+   * either. There the arrays have the slope over a part of 2^-52 of the cell. Its length means
+   * nothing, and its direction comes near the tangent plane only (the normal is wrong by 1e-12 with
+   * seven triangles, by 1e-5 with twelve, by 1e-9 with four). GenerateLimitNormals has exact
+   * normals there, and vtkSurfaceSubdivision::EvaluateLimit exact tangent planes. Returns false
+   * after an error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 

@@ -17,19 +17,20 @@
  * number of rounds. The rounds end when no criterion marks anything, or at a limit.
  *
  * @par Criteria
- * They are those of vtkRefinementAlgorithm, with its arrays (5 to 7). The arrays of
+ * The criteria of vtkRefinementAlgorithm, with its arrays (5 to 7). The arrays of
  * vtkSubdivisionAlgorithm (0 to 4) are used where Placement is LIMIT or a criterion asks for the
  * limit. RefineByGeometricError measures on edges of input cells the distance of the limit from the
- * edge, inside an input triangle that from the triangles there. A level is one halving of edges,
- * that of a cell the array `RefinementLevel` of the output; filters in a row halve an edge up to
- * 255 times in all.
+ * edge, inside an input triangle its distance from the triangles there. A level is one halving of
+ * edges, and the array `RefinementLevel` of the output has the level of each cell; filters in a row
+ * halve an edge up to 255 times in all.
  *
  * @par Output
- * Points: those of the input with their ids, then centres of split cells, then the new ones. Cells:
- * in the order of the input, children in the place of their parent and oriented like it. Cells that
- * are no simplices are split first, see vtkSubdivisionAlgorithm. Point arrays get values at new
- * points (by their type, as in vtkMultiDimensionalSubdivision), children take the cell arrays of
- * their cell (ghost types too), field arrays pass through. The filter adds the cell arrays
+ * Points: the points of the input with their ids, then centres of split cells, then the new ones.
+ * Cells: in the order of the input, children in the place of their parent and oriented like it.
+ * Cells that are no simplices are split first, see vtkSubdivisionAlgorithm. Point arrays get values
+ * at new points (by their type, as in vtkMultiDimensionalSubdivision), children take the cell
+ * arrays of their cell (ghost types too), field arrays pass through. The filter adds the cell
+ * arrays
  *  - `RefinementLevel` (unsigned char): how often the edges of an input cell were halved; a green
  *    cell has the level of the cell that it is a part of,
  *  - `RefinementKind` (unsigned char): 0 the cell as it was read, 1 red, 2 green by one edge, 3
@@ -37,10 +38,10 @@
  *  - `GreenParent` (vtkIdTypeArray): the tuple of `RedGreenLeaves` that a green cell is a part of,
  *    -1 for others,
  *  - `vtkOriginalCellIds` (vtkIdTypeArray): the cell of the input; if another filter of this kind
- *    made the input, that of its input, and levels and kinds count on from there,
+ *    made the input, the cell of its input, and levels and kinds count on from there,
  *
  * and the field arrays `RedGreenLeaves` (vtkIdTypeArray, ten components: the points of a cell that
- * was split green, and those on its edges 01, 02, 03, 12, 13, 23; -1 for none) and
+ * was split green, and the points on its edges 01, 02, 03, 12, 13, 23; -1 for none) and
  * `Subdivision` (the stamp by which the next filter recognises this output).
  *
  * @par Filters in a row
@@ -58,12 +59,12 @@
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost
  * types of cells go to the children. The partitions of several ranks (Controller) are refined as
- * one mesh, whatever their borders: cells, points and arrays are those that one rank makes of the
+ * one mesh, whatever their borders: cells, points and arrays are the same as one rank makes of the
  * whole, and a next filter on several ranks goes on from there. But at MaximumNumberOfCells, which
- * is that of all ranks together, the last round leaves out all places below one error, and so more
- * of them. `GreenParent` and `RedGreenLeaves` count in each block by itself. Ranks exchange split
- * edges in each round, mostly two to four times, and number new points afterwards, in two exchanges
- * for each level.
+ * counts the cells of all ranks together, the last round leaves out all places below one error, and
+ * so more of them. `GreenParent` and `RedGreenLeaves` count in each block by itself. Ranks exchange
+ * split edges in each round, mostly two to four times, and number new points afterwards, in two
+ * exchanges for each level.
  *
  * @par Errors
  * See vtkRefinementAlgorithm.
@@ -125,8 +126,8 @@ public:
   /**
    * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
    * active normals of the output: unit normals of the limit surface, where Placement is LIMIT. They
-   * are those of vtkMultiDimensionalSubdivision, which says what they are where there is no tangent
-   * plane; triangles there are those of the level on which the point first exists. With Placement =
+   * follow the rules of vtkMultiDimensionalSubdivision, also where there is no tangent plane;
+   * triangles there are taken from the level on which the point first exists. With Placement =
    * LINEAR there are none, and a warning says so. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);

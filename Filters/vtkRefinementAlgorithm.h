@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRefinementAlgorithm
- * @brief   what the filters that refine a mesh locally have in common: the criteria
+ * @brief   common base of filters that refine a mesh locally: the criteria
  *
  * Refinement goes in rounds: in each one the criteria are asked where the mesh is too coarse, and
  * it is split there. The rounds end when no criterion asks for anything, or at a limit. How cells
  * are split, and how their neighbours are made to fit, is the filter's own.
  *
  * @par Criteria
- * Each has a switch RefineBy...; those that are on are asked together, and one is enough. A
- * criterion asks for edges or for cells; a cell that is asked for has all of its edges asked for.
+ * Each has a switch RefineBy...; all that are on are asked together, and one is enough. A criterion
+ * asks for edges or for cells; a cell that is asked for has all of its edges asked for.
  * vtkRedGreenRefinement splits these edges. vtkAdaptiveSurfaceSubdivision splits the triangles at
  * them; "an edge is split" below means these triangles there, and lines. Switch
  * RefineByAttributeError off, where it is on by default, if only the shape is to count. Each
@@ -17,7 +17,7 @@
  * added here, for all filters.
  *
  * @par Arrays read, by SetInputArrayToProcess
- * Besides those of vtkSubdivisionAlgorithm (0 to 4):
+ * Besides the arrays of vtkSubdivisionAlgorithm (0 to 4):
  *  - 5, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
  *    point array.
  *  - 6, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else
@@ -87,7 +87,7 @@ public:
   /**
    * The error of an edge: JUMP (0, the default), the change of the values from one end to the
    * other, or LIMIT_DIFFERENCE (1), the largest difference between limit values in some places of
-   * the edge and the straight line between those of its ends, the limit being that of smooth
+   * the edge and the straight line between the limits of its ends, by the rules of smooth
    * subdivision.
    */
   vtkSetClampMacro(AttributeErrorKind, int, JUMP, LIMIT_DIFFERENCE);
@@ -99,8 +99,8 @@ public:
   ///@{
   /**
    * Whether cells are split whose value in the array at index 6 lies in ArrayRange (its ends
-   * included): of a point array, that of any of the cell's points; of several components, their
-   * Euclidean norm. Off by default.
+   * included): of a point array, the value of any of the cell's points; of several components,
+   * their Euclidean norm. Off by default.
    */
   vtkSetMacro(RefineByArrayRange, bool);
   vtkGetMacro(RefineByArrayRange, bool);
@@ -210,7 +210,7 @@ public:
 
   ///@{
   /**
-   * The angle that RefineByCurvature allows: that of the circle's arc which is as far from its
+   * The angle that RefineByCurvature allows: the angle of the circle's arc which is as far from its
    * chord as the limit from the edge. It does not depend on the size of the mesh. In degrees, 0 to
    * 360. Default 10.
    */

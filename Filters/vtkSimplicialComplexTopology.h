@@ -14,8 +14,8 @@
  * is a face of no other; C_k is made of the maximal k-simplices and their faces. Links inside each
  * C_k tell the interior, the boundary and what is no manifold; the rules follow from this, from
  * what is singular and from the options. vtkMultiDimensionalSubdivision runs the same code: with
- * the same options, the rules are those of its first level. If that filter made the mesh, rules and
- * singular simplices are those of its next level.
+ * the same options it takes these rules on its first level. If that filter made the mesh, rules and
+ * singular simplices belong to its next level.
  *
  * @par Input
  * vtkUnstructuredGrid, vtkPolyData or structured data; cells, bad cells and the cell arrays that
@@ -69,8 +69,8 @@
  * @par Threads and ghosts
  * Threaded by vtkSMPTools, but for counting components; the output is the same, bit for bit, for
  * any back end and any number of threads. Hidden cells take no part. A simplex all of whose cells
- * are duplicates is a duplicate. In a single mesh of a single process counts are those of what it
- * has; a warning says so where there are duplicate cells.
+ * are duplicates is a duplicate. In a single mesh of a single process only its own simplices count;
+ * a warning says so where there are duplicate cells.
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if an array cannot be used, if there are
@@ -99,8 +99,8 @@ public:
 
   ///@{
   /**
-   * Whether only what is special is output: simplices that are non-manifold, on a boundary or
-   * singular, and vertices and edges whose rule for another reason is not that of the manifold that
+   * Whether only special simplices are output: that are non-manifold, on a boundary or singular,
+   * and vertices and edges whose rule for another reason differs from the rule of the manifold that
    * they are inside of (the edges of a singular triangle, the end of a crease). What is left out
    * lies inside one C_k and follows the rule of dimension k, isolated vertices included. Off by
    * default.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSubdivisionAlgorithm
- * @brief   what all filters that subdivide have in common
+ * @brief   common base of all filters that subdivide
  *
  * The input is a vtkUnstructuredGrid, a vtkPolyData, structured data (vtkImageData,
  * vtkRectilinearGrid, vtkStructuredGrid, vtkExplicitStructuredGrid), or a composite of these, seen
@@ -12,11 +12,11 @@
  *
  * @par Surface filters
  * vtkSurfaceSubdivision and vtkAdaptiveSurfaceSubdivision have these options, too. They read and
- * write vtkPolyData, and their own documentation says what cells and creases are there. Of
- * structured data and grids they take the vertices, lines and surfaces, in the order of
- * vtkPolyData, and leave solids out with a warning. With a warning they ignore what they have no
- * rules for: EmbeddedCells, rules for joints other than Blend and Sharp, and the arrays at the
- * indices 2 and 3.
+ * write vtkPolyData, and their own documentation tells of cells and creases. Of structured data and
+ * grids they take the vertices, lines and surfaces, in the order of vtkPolyData, and leave solids
+ * out with a warning. With a warning they ignore options that they have no rules for:
+ * EmbeddedCells, rules for joints other than Blend and Sharp, and the arrays at the indices 2 and
+ * 3.
  *
  * @par Cells
  * The filters read VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE, VTK_TRIANGLE,
@@ -33,8 +33,8 @@
  *
  * @par Normals
  * The active normals of points and cells of the input hold only where nothing moves. Where points
- * move they are left out, also those that an earlier filter made; GenerateLimitNormals makes new
- * ones, which are the active normals of the output. Where cells are split and their points stay
+ * move they are left out, also if an earlier filter made them; GenerateLimitNormals makes new ones,
+ * which are the active normals of the output. Where cells are split and their points stay
  * (VolumeScheme = LINEAR, Placement = LINEAR), children have the normals of their cell, and the
  * normals of points are left out. Deformation turns normals instead.
  *
@@ -48,17 +48,17 @@
  * @par Singular simplices
  * The following simplices are singular, together: the vertex, line and triangle cells that the
  * array at index 0 flags; cells embedded in others, by EmbeddedCells; with PreserveInterfaces the
- * interfaces between materials; with DetectFeatures the edges with a large angle; and what is
- * marked in filters that derive from vtkMarkedSubdivisionAlgorithm. A singular vertex does not
- * move, singular lines become smooth curves (creases), and singular triangles become
- * smooth surfaces inside the solid. Where more than two singular lines meet there is a corner.
+ * interfaces between materials; with DetectFeatures the edges with a large angle; and the marks of
+ * filters that derive from vtkMarkedSubdivisionAlgorithm. A singular vertex does not move, singular
+ * lines become smooth curves (creases), and singular triangles become smooth surfaces inside the
+ * solid. Where more than two singular lines meet there is a corner.
  *
  * @par Cell arrays read, by SetInputArrayToProcess
  * A name that is empty or "None" means unset; a named array that is missing, or has the wrong type,
  * is an error. All have one component. Integers may be stored as floating point numbers, as Exodus
  * does.
  *  - 0, singular flags: integers, non-zero = singular; unset: `Singular` if there. Flags of
- *    poly lines, strips and polygons count for their pieces; those of 3D cells are ignored with a
+ *    poly lines, strips and polygons count for their pieces; flags of 3D cells are ignored with a
  *    warning.
  *  - 1, materials: any type but strings; unset: `MaterialId` if there.
  *  - 2, parts for FollowPart: integers, negative = no part; unset: none.
@@ -76,14 +76,13 @@
  *    surface filters the angle that is measured. Unset: none.
  *
  * @par Ghosts
- * Hidden cells, those that finer levels of AMR replace, and those at hidden points have no effect
+ * Hidden cells, cells that finer levels of AMR replace, and cells at hidden points have no effect
  * and are not in the output. On several ranks, and in composite data sets, duplicate cells of the
  * input are left out: with JoinBlocks filters get the cells around a partition from other ranks, so
- * that results at its border are those of the whole mesh. The output has as many layers of
+ * that results at its border are the same as of the whole mesh. The output has as many layers of
  * duplicate cells as the filter downstream asks for. In a single mesh of a single process, children
- * take the ghost type of their cell, ghost types of points are derived from those of cells, and a
- * warning says where these are too few layers for the results of the others to be those of the
- * whole.
+ * take the ghost type of their cell, ghost types of points are derived from the cells, and a
+ * warning says where there are too few layers for results to be the same as of the whole.
  */
 #ifndef vtkSubdivisionAlgorithm_h
 #define vtkSubdivisionAlgorithm_h
@@ -138,7 +137,7 @@ public:
    * (vtkIdTypeArray, one component): the cell or point of this filter's input that each came from,
    * -1 for new points. On the output of another filter of this kind they are carried on, and where
    * this is off those of any input: whatever wrote them, new points have -1. With the first of them
-   * go the global ids of cells, if there are any, such as the numbers of elements: by their own
+   * go the global ids of cells, if there are any, for instance numbers of elements: by their own
    * name, as an array that is not marked as global ids, because cells share them. Off by default.
    */
   vtkSetMacro(GenerateOriginalIds, bool);
@@ -166,10 +165,11 @@ public:
    * vtkMultiDimensionalSubdivision, vtkSurfaceSubdivision (with schemes that have limits) and
    * vtkRedGreenRefinement (with Placement LIMIT); other filters warn and ignore it. Ranks that have
    * parts of a mesh solve together, and find the control points that one process finds. In a row of
-   * filters switch it on in all or in the first: later ones leave what is solved as it is. Where 40
-   * products with the limit operator do not reach an error of 1e-10 of the range (single precision:
-   * of its rounding), the filter factorises the matrix; a warning says so if there is no solution,
-   * or the factors take more than the memory or half a minute. Off by default.
+   * filters switch it on in all or in the first: later ones leave values as they are that are
+   * solved already. Where 40 products with the limit operator do not reach an error of 1e-10 of the
+   * range (single precision: of its rounding), the filter factorises the matrix; a warning says so
+   * if there is no solution, or the factors take more than the memory or half a minute. Off by
+   * default.
    */
   vtkSetMacro(InterpolatePoints, bool);
   vtkGetMacro(InterpolatePoints, bool);
@@ -178,7 +178,7 @@ public:
 
   ///@{
   /**
-   * The same for the values of floating point arrays at points: those of AddInterpolatedArray, or
+   * The same for the values of floating point arrays at points: arrays of AddInterpolatedArray, or
    * all if there are none. Between the points values may exceed the range of the input's; a warning
    * says by how much. Values that are not finite are missing: they, and those whose limits they
    * take part in, stay what they are, and all others are solved for without them. With
@@ -200,8 +200,8 @@ public:
 
   ///@{
   /**
-   * How far control points and values are moved from those of the input (0, plain smoothing) to
-   * those that interpolate (1), 0 to 1. Default 1.
+   * How far control points and values are moved: from the input's own (0, plain smoothing) to
+   * control values that interpolate (1), 0 to 1. Default 1.
    */
   vtkSetClampMacro(InterpolationWeight, double, 0., 1.);
   vtkGetMacro(InterpolationWeight, double);
@@ -210,7 +210,7 @@ public:
   ///@{
   /**
    * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0), DOUBLE_PRECISION (1)
-   * or DEFAULT_PRECISION (2, the default; that of the input).
+   * or DEFAULT_PRECISION (2, the default; the input's own).
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -253,8 +253,8 @@ public:
   /**
    * The weights of vertices inside surfaces and inside the boundaries of solids, where Loop's
    * scheme holds: WARREN_WEIGHTS (0, the default; equation 16 of Chang & Qin) or LOOP_WEIGHTS (1;
-   * those of Loop's thesis, which OpenSubdiv, CGAL, OpenMesh and VTK have). The two are equal at
-   * vertices of three and of six triangles. Limits, tangents and normals follow the choice. No
+   * the weights of Loop's thesis, which OpenSubdiv, CGAL, OpenMesh and VTK have). The two are equal
+   * at vertices of three and of six triangles. Limits, tangents and normals follow the choice. No
    * effect where another scheme moves the points.
    */
   vtkSetClampMacro(LoopWeights, int, WARREN_WEIGHTS, LOOP_WEIGHTS);
@@ -274,8 +274,8 @@ public:
    * angle too, and from 180 degrees on new points move towards the plane of the two edges that
    * bound the sector. The surface filters measure the angles or take them from the array at index
    * 10; in all others a corner without an angle in this array has the plain rules. Limits, normals
-   * and tangents follow. For the schemes Loop and Catmull-Clark, and what has the surfaces of Loop;
-   * no effect where others move the points. On by default.
+   * and tangents follow. For the schemes Loop and Catmull-Clark, and solids, whose surfaces are
+   * Loop's; no effect where others move the points. On by default.
    */
   vtkSetMacro(ModifiedBoundary, bool);
   vtkGetMacro(ModifiedBoundary, bool);
@@ -291,8 +291,8 @@ public:
   ///@{
   /**
    * What vertex, line and triangle cells are that are faces of other cells: FOLLOW (0, the default;
-   * only carried along), SINGULAR_INSIDE (1; those inside a solid, surface or curve are singular,
-   * for example fractures and wells in rock; those on a boundary or a non-manifold joint follow) or
+   * only carried along), SINGULAR_INSIDE (1; cells inside a solid, surface or curve are singular,
+   * for example fractures and wells in rock; cells on a boundary or a non-manifold joint follow) or
    * SINGULAR (2; all of them).
    */
   vtkSetClampMacro(EmbeddedCells, int, FOLLOW, SINGULAR);
@@ -323,13 +323,13 @@ public:
    * What values at points do where materials meet: CONTINUOUS_VALUES (0, the default; one field
    * over all materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed
    * with its own values only). Then a point at which several materials meet has a copy for each of
-   * them, at the same place: copies follow after all other points, each cell names those of its
-   * material (cells that are faces of others: those of a material that all of their points have),
-   * and the point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter
-   * with the same option, or whoever joins equal ids, gets the mesh without copies back. Values of
+   * them, at the same place: copies follow after all other points, each cell names the copies of
+   * its material (cells that are faces of others: of a material that all of their points have), and
+   * the point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter with
+   * the same option, or whoever joins equal ids, gets the mesh without copies back. Values of
    * blocks at points that they share are those of their cells. On several ranks MaterialPointIds
-   * has the ids of points in the whole output, and global ids are those of points, equal for
-   * copies. Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
+   * has the ids of points in the whole output, and global ids belong to points, equal for copies.
+   * Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
    * coordinates, are equal for copies. Ignored with a warning without PreserveInterfaces, and in
    * filters that have no interfaces. Needs memory for each array as often as there are materials
    * that must be told apart, as a simplex has points of both; an error if these are more than 32.
@@ -453,8 +453,8 @@ public:
   ///@{
   /**
    * Whether cells whose points have equal coordinates, or nearly (MergeTolerance), share one point:
-   * that with the smallest global id (index, where there are none). The others are not in the
-   * output; original ids stay those of the input, and points without cells stay as they are. Cells
+   * the point with the smallest global id (index, where there are none). The others are not in the
+   * output; original ids stay as in the input, and points without cells stay as they are. Cells
    * that become degenerate are left out with a warning, which tells that MergePoints did it. It
    * also joins parts that only touch, and points that were doubled on purpose. Where values of
    * points that become one differ, a warning names the arrays, and MergedValues decides; normals,
@@ -509,11 +509,11 @@ public:
   /**
    * Whether cells are cut where points of others lie inside their edges and faces (hanging nodes,
    * as adaptive meshes, quadtrees and octrees have, and meshes of two sizes beside each other), so
-   * that cells fit: a line gets the points on it, a polygon those on its edges, and a solid becomes
-   * a polyhedron that has the faces of its neighbours. The distance of such a point may be 1e-5 of
-   * the edge. A warning counts cells that cannot be cut so: strips, non-linear cells, and those
-   * whose faces no others cover whole. On several ranks, cells fit if those that touch share a
-   * point. Off by default: a warning counts the points that hang, and names the first cell.
+   * that cells fit: a line gets the points on it, a polygon the points on its edges, and a solid
+   * becomes a polyhedron that has the faces of its neighbours. The distance of such a point may be
+   * 1e-5 of the edge. A warning counts cells that cannot be cut so: strips, non-linear cells, and
+   * cells whose faces no others cover whole. On several ranks, cells fit if the ones that touch
+   * share a point. Off by default: a warning counts the points that hang, and names the first cell.
    */
   vtkSetMacro(CloseHangingNodes, bool);
   vtkGetMacro(CloseHangingNodes, bool);
@@ -527,11 +527,11 @@ public:
    * one point, and without global ids points of the same coordinates. Blocks with cells between the
    * same points (of the highest dimension that there is) are cases or time steps of one mesh, if
    * these are half of the cells of one of them or values differ there; so are blocks that others
-   * connect. They are the first, second and so on, and blocks are joined with those of the same
-   * number only. Where blocks of one case have different values
-   * at a point that they share, each keeps its own, and floating point numbers jump as with
-   * InterfaceValues. Warnings tell of both. If off, every block of every rank is worked on by
-   * itself, and its border is a boundary. On by default.
+   * connect. They are the first, second and so on, and blocks are joined with the blocks of the
+   * same number only. Where blocks of one case have different values at a point that they share,
+   * each keeps its own, and floating point numbers jump as with InterfaceValues. Warnings tell of
+   * both. If off, every block of every rank is worked on by itself, and its border is a boundary.
+   * On by default.
    */
   vtkSetMacro(JoinBlocks, bool);
   vtkGetMacro(JoinBlocks, bool);
@@ -559,7 +559,7 @@ protected:
   virtual bool WritesSurfaces() const { return this->IsOfSurfaces(); }
   /// Whether the output gets the ghost cells that the pipeline asks for.
   virtual bool HasGhostLayers() const { return true; }
-  /// Whether cells of the output have the ids of those of the input.
+  /// Whether cells of the output have the ids of the input's cells.
   virtual bool HasOriginalCellIds() const { return this->GenerateOriginalIds; }
   /// Whether it has rules for InterpolatePoints and InterpolateArrays.
   virtual bool CanInterpolate() const { return false; }
@@ -616,11 +616,11 @@ protected:
   /// Sets options.Features from the options above and the arrays of `input`. Returns false, after
   /// an error (passed to Fail), if an array cannot be used.
   virtual bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
-  /// Does what RequestData has in common in all filters: sets the shared options, and the functions
-  /// of `options` for messages and progress; calls `run`, which returns whether it finished;
-  /// empties the output if it did not. `ghosts`: what duplicate cells mean for the result, empty
-  /// where they mean nothing, null where that depends on their layers (FilterTraits); `memory`:
-  /// what there is not enough memory for, and what helps.
+  /// The common part of RequestData in all filters: sets the shared options, and the functions of
+  /// `options` for messages and progress; calls `run`, which returns whether it finished; empties
+  /// the output if it did not. `ghosts`: what duplicate cells mean for the result, empty where they
+  /// mean nothing, null where that depends on their layers (FilterTraits); `memory`: what there is
+  /// not enough memory for, and what helps.
   int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
     const std::function<bool(vtkPointSet*, vtkPointSet*)>& run);

@@ -15,8 +15,8 @@
  *
  * @par Output
  * A vtkUnstructuredGrid of VTK_TETRA cells, without arrays. Each box is split into six tetrahedra
- * around its diagonal from the corner of smallest to that of largest coordinates (Kuhn's split), so
- * that cells fit together; all are positive. Points are ordered by z, then y, then x.
+ * around its diagonal from the corner of smallest to the corner of largest coordinates (Kuhn's
+ * split), so that cells fit together; all are positive. Points are ordered by z, then y, then x.
  *
  * @par Errors
  * The filter gives an error, and no cells, if Bounds are not finite or not ascending, or if the
@@ -62,7 +62,7 @@ public:
   ///@{
   /**
    * By how much the box is larger on each side, in percent of its longest side, 0 or more;
-   * default 5. Around an input the smoothed cage is larger than that by so much.
+   * default 5. Around an input the smoothed cage is larger than the input by so much.
    */
   vtkSetClampMacro(Margin, double, 0., VTK_DOUBLE_MAX);
   vtkGetMacro(Margin, double);

@@ -12,8 +12,8 @@
  * does it. Each point of the object is found in a cell of the result, and the barycentric
  * coordinates that it has there are kept: with them each point is a fixed mean of control points
  * (equation 1). The same means of the deformed control points are the deformed object. An affine
- * map of the control mesh is the same affine map of what is inside, up to rounding; at rest nothing
- * moves. Which cells there are, and which rules they follow, is decided at rest.
+ * map of the control mesh is the same affine map of the object inside, up to rounding; at rest
+ * nothing moves. Which cells there are, and which rules they follow, is decided at rest.
  *
  * @par Control meshes in a plane
  * A control mesh without solids, such as one in the plane of an image, holds the points that lie on
@@ -26,12 +26,12 @@
  * all points of the subdivided mesh. Without levels, larger polygons are cut into triangles too.
  *
  * @par Inputs
- *  - port 0, what is deformed: any vtkPointSet (the output has its type), vtkImageData or
+ *  - port 0, the object: any vtkPointSet (the output has its type), vtkImageData or
  *    vtkRectilinearGrid (the output is a vtkStructuredGrid), or a composite of these, each of which
  *    is deformed by itself.
  *  - port 1, the control mesh at rest: vtkUnstructuredGrid, vtkPolyData or structured data, with
- * the cells, arrays and options of features that vtkSubdivisionAlgorithm describes; the cell arrays
- * are those of this mesh.
+ * the cells, arrays and options of features that vtkSubdivisionAlgorithm describes; cell arrays are
+ * read from this mesh.
  *  - port 2, the control mesh deformed: the same points and cells in the same order.
  * Any of the three may change with time. Ports 1 and 2 take composite data sets of such meshes too:
  * whatever JoinBlocks is, all blocks are one control mesh, in which points of the same global id
@@ -40,7 +40,7 @@
  * deforms its own part of port 0.
  *
  * @par Points and cells
- * A point belongs to the tetrahedron with the smallest id of those that hold it; barycentric
+ * A point belongs to the tetrahedron with the smallest id among all that hold it; barycentric
  * coordinates may be below zero by 1e-10, by 1e-5 if points are in single precision. Surfaces and
  * curves beside solids hold no points, but OutsidePoints = OUTSIDE_NEAREST may bind points to them.
  * In a control mesh without solids they hold the points that lie on them, up to the same parts of
@@ -52,7 +52,7 @@
  * the tetrahedron that holds the point, active normals by its inverse transpose and made as long as
  * 1, if they are of a floating type. A cell takes the mean of the matrices of its points. A point
  * outside, or on a surface, has the identity matrix or, if OUTSIDE_NEAREST binds it to a
- * tetrahedron, that of the tetrahedron. All other arrays pass unchanged.
+ * tetrahedron, the matrix of the tetrahedron. All other arrays pass unchanged.
  *
  * @par What is kept
  * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
@@ -60,8 +60,8 @@
  * rows over the control points where these are fewer bytes to read. The filter recognises an input
  * by the content of its points (512 bits of checksum for each half megabyte). When only the
  * deformed mesh changes, the work is one product with each operator and one with the rows. Then
- * the points of an output of a megabyte or more take the memory of those of the one before, unless
- * others still have these: they never change, and nothing of them is kept between runs.
+ * the points of an output of a megabyte or more take the memory of the output before, unless others
+ * still have its points: they never change, and nothing of them is kept between runs.
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
@@ -168,9 +168,9 @@ public:
   };
   ///@{
   /**
-   * What becomes of points outside the subdivided rest mesh: OUTSIDE_LEAVE (0, the default; they
-   * stay where they are), OUTSIDE_NEAREST (1; they move as their nearest point of the mesh does, a
-   * surface or curve counts too) or OUTSIDE_ERROR (2; an error, and the output is the input).
+   * Points outside the subdivided rest mesh: OUTSIDE_LEAVE (0, the default; they stay where they
+   * are), OUTSIDE_NEAREST (1; they move as their nearest point of the mesh does, a surface or curve
+   * counts too) or OUTSIDE_ERROR (2; an error, and the output is the input).
    * GetNumberOfOutsidePoints tells their number. Points with coordinates that are not finite are
    * outside, and never move.
    */

@@ -3,36 +3,36 @@
  * @class   vtkSubdivisionLabelSolid
  * @brief   a smooth solid of many materials from an image of labels
  *
- * Makes tetrahedra of all voxels of an image but those of the background. Interfaces between
- * labels, and between labels and background, are smooth surfaces that the cells of both sides
- * share; each label keeps the volume that its voxels have.
+ * Makes tetrahedra of all voxels of an image but the background. Interfaces between labels, and
+ * between labels and background, are smooth surfaces that the cells of both sides share; each label
+ * keeps the volume that its voxels have.
  *
  * @par Algorithm
  * Blocks of k^3 voxels become one control voxel, with k as small as NumberOfControlCells allows: of
  * the label that most of the voxels have. Where labels have equally many, materials come before
  * background, then the smallest label. At the end of the image blocks have half of k voxels or
  * more, and up to one and a half times k. Then KeepConnected gives blocks to labels that would come
- * apart, those of few voxels first. The corners of control voxels are smoothed without shrinking
- * (G. Taubin), those on interfaces along interfaces, those on curves where interfaces meet along
- * these; none moves farther than MaximumDisplacement, and with FlatBorder those on the border of
- * the image stay there. Then they are moved as little as possible so that labels have their
- * volumes, and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
+ * apart, parts of few voxels first. The corners of control voxels are smoothed without shrinking
+ * (G. Taubin), corners on interfaces along interfaces, corners on curves where interfaces meet
+ * along these; none moves farther than MaximumDisplacement, and with FlatBorder corners on the
+ * border of the image stay there. Then they are moved as little as possible so that labels have
+ * their volumes, and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
  * PreserveInterfaces. The filter measures this solid, corrects the corners for the difference in
  * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of
  * those of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge or a
  * point alone become joints.
  *
  * @par Accuracy
- * Volumes are those of the input's voxels to 0.1 %, or 0.5 % where parts are about as thin as a
- * control voxel; of larger differences a warning tells. The distance of the smooth interfaces from
- * the faces of the control voxels is at most about MaximumDisplacement control voxels, both ways.
- * No solid is inverted; of any that is a warning tells.
+ * Volumes equal the input's voxels to 0.1 %, or 0.5 % where parts are about as thin as a control
+ * voxel; of larger differences a warning tells. The distance of the smooth interfaces from the
+ * faces of the control voxels is at most about MaximumDisplacement control voxels, both ways. No
+ * solid is inverted; of any that is a warning tells.
  *
  * @par Input
  * Port 0: vtkImageData, with any direction matrix, vtkRectilinearGrid or vtkStructuredGrid; corners
- * of voxels around points of a grid lie half-way between points, those of the border half a voxel
+ * of voxels around points of a grid lie half-way between points, corners on the border half a voxel
  * outside, and corners are smoothed as if all voxels were cubes. Labels of points: voxels are
- * centred on the points, those of the border too, so that the solid is half a voxel larger than the
+ * centred on the points, also on the border, so that the solid is half a voxel larger than the
  * image on each side. Labels of cells: voxels are the cells. Hidden points and cells, and cells
  * with a hidden point, are background. Port 1, not required: a vtkTable with one row for each
  * material. A row is for the label in the column that has the name of the label array, else in the

@@ -4,9 +4,9 @@
  * @brief   the nearest places of a smooth object for given points
  *
  * Finds for each point the place of the limit that is nearest to it, with all values there. The
- * limit is what vtkMultiDimensionalSubdivision makes of the input after infinitely many levels:
- * curves, surfaces, and solids. A point inside a solid is its own nearest place: the filter finds
- * from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK it is what
+ * limit is the object that vtkMultiDimensionalSubdivision makes of the input after infinitely many
+ * levels: curves, surfaces, and solids. A point inside a solid is its own nearest place: the filter
+ * finds from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK it is what
  * vtkSurfaceSubdivision makes of the polygons and lines: by CATMULL_CLARK quads and other polygons
  * then keep their own parameters.
  *
@@ -16,15 +16,15 @@
  *
  * @par Output
  * A vtkPolyData with a vertex for each point, where the nearest place is, in double precision
- * unless OutputPointsPrecision says otherwise. Point arrays: those of the control mesh, smoothed,
- * as vtkMultiDimensionalSubdivision::EvaluateLimit has them; DerivativeU, DerivativeV, DerivativeW,
- * LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the place; `CellId`,
- * the cell of the control mesh with the place; `CellParameters`, the parameters of the place there
- * as EvaluateLimit of the same scheme has them. In simplices they are the weights of the second,
- * third and fourth point. They are -1 in cells that the scheme cuts: but for CATMULL_CLARK all that
- * are no vertices, lines, triangles or tetrahedra. The arrays of the points at port 3 follow, with
- * their ids; one whose name is taken gets OfPlace at the end of it. Field arrays of both are there,
- * those of the control mesh where names are equal.
+ * unless OutputPointsPrecision says otherwise. Point arrays: the arrays of the control mesh,
+ * smoothed, as vtkMultiDimensionalSubdivision::EvaluateLimit has them; DerivativeU, DerivativeV,
+ * DerivativeW, LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the
+ * place; `CellId`, the cell of the control mesh with the place; `CellParameters`, the parameters of
+ * the place there as EvaluateLimit of the same scheme has them. In simplices they are the weights
+ * of the second, third and fourth point. They are -1 in cells that the scheme cuts: but for
+ * CATMULL_CLARK all that are no vertices, lines, triangles or tetrahedra. The arrays of the points
+ * at port 3 follow, with their ids; one whose name is taken gets OfPlace at the end of it. Field
+ * arrays of both are there, those of the control mesh where names are equal.
  *
  * @par Method
  * For a point that lies in a solid a fine level on the limit tells where to begin. For all others
@@ -32,9 +32,9 @@
  * cells as polynomials, parts of which are left out only where they are certainly not nearer than
  * a place that is known. Newton's method then makes the distance smaller, up to rounding, also
  * across the borders of cells; by CATMULL_CLARK it searches in quads. No place of the limit is
- * nearer by more than 1e-9 of the size of the mesh. Of equally near ones that in the first cell is
- * found. Where the boundary of a solid passes through the solid itself, a place of the boundary
- * may be found that lies inside.
+ * nearer by more than 1e-9 of the size of the mesh. Of equally near ones the place in the first
+ * cell is found. Where the boundary of a solid passes through the solid itself, a place of the
+ * boundary may be found that lies inside.
  *
  * @par Points that are not finite
  * They have no place: their results are not a number, 0 in arrays of integers, `CellId` is -1, and
@@ -75,11 +75,11 @@ public:
   };
   ///@{
   /**
-   * Whose limit it is. That of vtkMultiDimensionalSubdivision, with curves, surfaces and solids:
-   * BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids; boundaries
-   * and creases are the same) or LINEAR (2; the mesh itself). Or that of the polygons and lines by
-   * vtkSurfaceSubdivision, which measures angles of corners and joins seams: LOOP (3) or
-   * CATMULL_CLARK (4); a warning says that solids are left out.
+   * Whose limit it is. The limit of vtkMultiDimensionalSubdivision, with curves, surfaces and
+   * solids: BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids;
+   * boundaries and creases are the same) or LINEAR (2; the mesh itself). Or that of the polygons
+   * and lines by vtkSurfaceSubdivision, which measures angles of corners and joins seams: LOOP (3)
+   * or CATMULL_CLARK (4); a warning says that solids are left out.
    */
   vtkSetClampMacro(Scheme, int, BOX_SPLINE, CATMULL_CLARK);
   vtkGetMacro(Scheme, int);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSubdivisionModelSource
- * @brief built-in control meshes that mix solids, surfaces and curves
+ * @brief   built-in control meshes that mix solids, surfaces and curves
  *
  * The source makes one of eight small control meshes (fewer than 600 cells) of the kind that
  * multi-dimensional subdivision is made for: parts of different dimensions in one simplicial

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSubdivisionOperator
- * @brief   what a filter does to points, as a sparse matrix
+ * @brief   the sparse matrix by which a filter moves points
  *
- * Subdivision is linear: the points of the output are S times those of the input, and so are
+ * Subdivision is linear: the points of the output are S times the points of the input, and so are
  * smoothed arrays. ComputeOperator of vtkMultiDimensionalSubdivision and vtkSurfaceSubdivision
  * fills an object of this class with S, for all levels that the filter makes, and the limit if
  * ProjectToLimit is on. Who fits control points to data, or solves equations on the smooth object,

@@ -3,11 +3,11 @@
  * @class   vtkSubdivisionSmoothness
  * @brief   shows where a subdivision scheme is smooth on a mesh, and where it is known not to be
  *
- * Examines what one step of a scheme does around each vertex, and around the vertices that steps
- * make inside each edge and face: the leading eigenvalues of the local matrix, whether the
- * conditions for a smooth limit hold, and whether the characteristic map is regular and injective.
- * All this depends on how cells hang together, and on the rules, not on the shape. What fails can
- * be seen, selected and refined. The filter subdivides nothing and moves no point.
+ * Examines one step of a scheme around each vertex, and around the vertices that steps make inside
+ * each edge and face: the leading eigenvalues of the local matrix, whether the conditions for a
+ * smooth limit hold, and whether the characteristic map is regular and injective. All this depends
+ * on how cells hang together, and on the rules, not on the shape. What fails can be seen, selected
+ * and refined. The filter subdivides nothing and moves no point.
  *
  * @par Theory
  * Let 1, l1, l2, ... be the moduli of the eigenvalues of the matrix that takes a vertex and its
@@ -42,8 +42,8 @@
  * @par Inputs
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
  * vtkMarkedSubdivisionAlgorithm. All options of vtkSubdivisionAlgorithm that choose rules count;
- * surface schemes ignore those that vtkSurfaceSubdivision ignores, and leave solids out with a
- * warning. With BOX_SPLINE and TET_OCT corners have the plain rules here, whatever their angle. A
+ * surface schemes ignore the options that vtkSurfaceSubdivision ignores, and leave solids out with
+ * a warning. With BOX_SPLINE and TET_OCT corners have the plain rules here, whatever their angle. A
  * crease or surface that is sharp to a finite degree has the rules that it has when it has become
  * smooth. Output of a subdivision filter has the rules of its next level.
  *
@@ -66,15 +66,15 @@
  *  - `Failing` (unsigned char): 1 if one of the three is 0.
  *
  * @par Characteristic map
- * With MapOfCell the output is the characteristic map of that cell: what the limit looks like at
- * the vertex, sector, edge or face, but for a linear map and what vanishes when one looks from
- * near. Its points are the eigenvectors of l1 and l2, and l3 in solids, after MapLevels further
- * levels (SQRT_THREE, FOUR_EIGHT and MIDEDGE: of two steps each). Complex eigenvalues have the real
- * and the imaginary part of a vector. Of all linear images the one is chosen whose points have
- * equal moments in all directions, whose middle is the origin, and whose first edge lies on the x
- * axis, as long as in the star. Cells are triangles, quads or tetrahedra.
- *  - `Jacobian` (cells, double): the size of a cell divided by what it has in the star. Negative:
- * the map folds there, and is not regular.
+ * With MapOfCell the output is the characteristic map of that cell: the shape of the limit, looked
+ * at from near, at the vertex, sector, edge or face, but for a linear map. Its points are the
+ * eigenvectors of l1 and l2, and l3 in solids, after MapLevels further levels (SQRT_THREE,
+ * FOUR_EIGHT and MIDEDGE: of two steps each). Complex eigenvalues have the real and the imaginary
+ * part of a vector. Of all linear images the one is chosen whose points have equal moments in all
+ * directions, whose middle is the origin, and whose first edge lies on the x axis, as long as in
+ * the star. Cells are triangles, quads or tetrahedra.
+ *  - `Jacobian` (cells, double): the size of a cell divided by its size in the star. Negative: the
+ *    map folds there, and is not regular.
  *  - `Ring` (points, double): how many rings of the star the point is away from the middle.
  *  - `Eigenvalues` (field data, double, six values).
  *

@@ -28,8 +28,8 @@
  * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
  * become lines, vertex cells stay. The output, a vtkPolyData unless OutputCells = BEZIER_CELLS, has
  * vertices, lines and polygons, in this order, the children of a cell one after another and
- * oriented like it (dual schemes: see below). Points: those of the input with their ids, unused
- * ones too, then the new ones level by level. Arrays and field data are treated as by
+ * oriented like it (dual schemes: see below). Points: the input's with their ids, unused ones too,
+ * then the new ones level by level. Arrays and field data are treated as by
  * vtkMultiDimensionalSubdivision. Cells that cannot be used are left out with a warning.
  *
  * @par Cell data of cells that lie in several input cells
@@ -48,11 +48,11 @@
  * in the order of the corners of faces, and vtkOriginalPointIds is -1. The faces inside faces come
  * first, then the others, oriented like the first face that they touch. Boundaries are quadratic
  * B-splines; sheets come apart at edges of three and more faces, and fans at vertices. Lines and
- * vertex cells get points of their own, also where they lie on the surface. The limit of a point is
- * that at the face which the next step makes around it; where several fans of faces meet it is that
- * of the first one. DooSabin has two tangents inside and on boundaries; Midedge has two inside at
- * points of four and more faces, and one along boundaries. Points of Midedge, and of FourEight on
- * quads, that can be coloured with two colours have no control points for InterpolatePoints; a
+ * vertex cells get points of their own, also where they lie on the surface. The limit of a point
+ * lies at the face which the next step makes around it; where several fans of faces meet, at the
+ * face of the first one. DooSabin has two tangents inside and on boundaries; Midedge has two inside
+ * at points of four and more faces, and one along boundaries. Points of Midedge, and of FourEight
+ * on quads, that can be coloured with two colours have no control points for InterpolatePoints; a
  * warning says so.
  *
  * @par Creases and corners
@@ -62,12 +62,12 @@
  * have two faces. A vertex with two sharp edges lies on a curve; with three or more, or
  * if it is a flagged vertex cell, it is a corner. A smooth boundary vertex with one face is a
  * corner too for CatmullClark, ModifiedButterfly and FourEight. The dual schemes, DooSabin and
- * Midedge, have no creases and corners: with a warning they ignore what asks for them. Corners
- * are convex or concave by the sum of the face angles in each sector, measured on the input and
- * kept in [22.5, 157.5] and [202.5, 337.5] degrees. For floor(s) levels a crease of sharpness s is
- * one that is flagged, with its ends, crossings and all near it. In the next level it is so in
- * part, s - floor(s), between the rows without and with all creases that are left in part. An
- * infinite one is flagged.
+ * Midedge, have no creases and corners: with a warning they ignore options and arrays that ask for
+ * them. Corners are convex or concave by the sum of the face angles in each sector, measured on the
+ * input and kept in [22.5, 157.5] and [202.5, 337.5] degrees. For floor(s) levels a crease of
+ * sharpness s is one that is flagged, with its ends, crossings and all near it. In the next level
+ * it is so in part, s - floor(s), between the rows without and with all creases that are left in
+ * part. An infinite one is flagged.
  *
  * SqrtThree and FourEight leave curves alone in odd steps. They replace all other edges, so that
  * line cells are creases with any flag or sharpness, and an end of a crease is a corner. FourEight
@@ -93,7 +93,7 @@
  * @par Filters in a row
  * Three filters of one level and the same options give what one filter of three levels gives, bit
  * for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity, the
- * last two with the flags of the first input. Angles and flatness of corners are those of the first
+ * last two with the flags of the first input. Angles and flatness of corners come from the first
  * input. After ProjectToLimit, or if cells were changed in between, the next filter takes the mesh
  * for a new one. Only the first filter knows global ids. On several ranks filters of LOOP,
  * MODIFIED_BUTTERFLY, CATMULL_CLARK and LINEAR go on as long as the cells of each rank stay
@@ -111,12 +111,12 @@
  * cells are left out; ghost cells are subdivided like others.
  *
  * @par Other libraries
- * On closed meshes the points are those of VTK (Butterfly), OpenMesh (Butterfly, Catmull-Clark,
- * sqrt(3)) and CGAL (Catmull-Clark, Doo-Sabin, sqrt(3)), and with LoopWeights = LOOP_WEIGHTS those
- * of the Loop schemes of OpenSubdiv, OpenMesh, CGAL and VTK; by default Loop has Warren's weights,
- * which are the same at vertices of three and six faces only. With ModifiedBoundary off the
- * boundaries of Loop are those of OpenSubdiv, OpenMesh and CGAL, too, and those of Catmull-Clark
- * CGAL's.
+ * On closed meshes the points are the same as of VTK (Butterfly), OpenMesh (Butterfly,
+ * Catmull-Clark, sqrt(3)) and CGAL (Catmull-Clark, Doo-Sabin, sqrt(3)), and with LoopWeights =
+ * LOOP_WEIGHTS as of the Loop schemes of OpenSubdiv, OpenMesh, CGAL and VTK; by default Loop has
+ * Warren's weights, which are the same at vertices of three and six faces only. With
+ * ModifiedBoundary off the boundaries of Loop are the same as of OpenSubdiv, OpenMesh and CGAL,
+ * too, and of Catmull-Clark as of CGAL.
  *
  * @par Errors
  * The filter stops, with an error and an empty output, if the output would have more than
@@ -283,9 +283,9 @@ public:
 
   ///@{
   /**
-   * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
-   * mesh, and the difference of each component of an array as a part of the array's range. Cells
-   * that were split NumberOfLevels times may leave out more. The filter looks at the points of one
+   * The distance from the limit that Bezier cells may have: as a part of the diagonal of the mesh,
+   * and the difference of each component of an array as a part of the array's range. Cells that
+   * were split NumberOfLevels times may leave out more. The filter looks at the points of one
    * further level, where two thirds of this are allowed. 0 to 1, default 0.0001. 0 splits all cells
    * whose limit is no polynomial, but for rounding, NumberOfLevels times.
    */
@@ -320,11 +320,10 @@ public:
   ///@}
 
   /**
-   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * Computes the matrix by which the filter moves points, with the present options on the present
    * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
-   * without InterpolatePoints, InterpolateArrays and InterfaceValues.
-   * With CacheOperator an update before has made most of it, and the next one can use it. With
-   * JoinSeams it is the operator of
+   * without InterpolatePoints, InterpolateArrays and InterfaceValues. With CacheOperator an update
+   * before has made most of it, and the next one can use it. With JoinSeams it is the operator of
    * the points, and arrays have another at seams.
    */
   bool ComputeOperator(vtkSubdivisionOperator* result) { return this->FindOperator(result); }
@@ -339,8 +338,8 @@ public:
    *  - a quad by CATMULL_CLARK: u in [0, 1] goes from the first point to the second, v from the
    * first to the fourth, bilinearly;
    *  - any other polygon by CATMULL_CLARK: w is the number k = 0, 1, ... of one of its points, and
-   * u and v are those of the quad that the first step makes there: u along the edge to the next
-   *    point, v along the edge to the point before, and the centre at (1, 1).
+   * u and v belong to the quad that the first step makes there: u along the edge to the next point,
+   * v along the edge to the point before, and the centre at (1, 1).
    *
    * Polygons that LOOP cuts into triangles have no places, nor have strips, poly lines and poly
    * vertices of several cells.
@@ -354,13 +353,14 @@ public:
    *
    * Values are exact but for rounding, 1e-12 of the size of the mesh and less, also near
    * extraordinary vertices, curves and creases; a sharpness above 52 counts as 52. So are
-   * derivatives, relative to those of the part of the cell around the place that is regular. At an
-   * extraordinary vertex itself they tend to 0 or to infinity: there the first ones are those of a
-   * part of 2^-26, turned into the tangent plane, with about the directions of the two edges. This
-   * plane and LimitNormals are exact, the lengths mean nothing. The second ones are 0. A cell takes
-   * a few local steps if not all is regular around it, and a place 2^-k from an extraordinary
-   * vertex k of them; memory per thread is quadratic in the number of points around a cell. With
-   * JoinSeams points and derivatives follow the joined mesh. Returns false after an error.
+   * derivatives, relative to the derivatives of the part of the cell around the place that is
+   * regular. At an extraordinary vertex itself they tend to 0 or to infinity: there the first ones
+   * are those of a part of 2^-26, turned into the tangent plane, with about the directions of the
+   * two edges. This plane and LimitNormals are exact, the lengths mean nothing. The second ones are
+   * 0. A cell takes a few local steps if not all is regular around it, and a place 2^-k from an
+   * extraordinary vertex k of them; memory per thread is quadratic in the number of points around a
+   * cell. With JoinSeams points and derivatives follow the joined mesh. Returns false after an
+   * error.
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 
