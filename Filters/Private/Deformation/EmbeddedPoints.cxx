@@ -99,10 +99,9 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
 
 /// An array for the points, which move(values) writes as float or double.
 template <typename Move>
-vtkSmartPointer<vtkDataArray> MakePoints(
-  const EmbeddedPoints& embedded, int type, ReturnedMemory& memory, const Move& move)
+vtkSmartPointer<vtkDataArray> MakePoints(const EmbeddedPoints& embedded, int type, const Move& move)
 {
-  auto points = memory.MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
+  auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
   const auto moveAll = [&](auto* to)
   {
     move(to);
@@ -261,18 +260,18 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   return embedded;
 }
 
-vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(const EmbeddedPoints& embedded,
-  const double* control, const double* moved, int type, ReturnedMemory& memory)
+vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
 {
-  return MakePoints(embedded, type, memory, [&](auto* to)
+  return MakePoints(embedded, type, [&](auto* to)
     { moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3); });
 }
 
-vtkSmartPointer<vtkDataArray> MoveIfEmbedded(const EmbeddedPoints& embedded, const double* moved,
-  int type, vtkDataArray* given, ReturnedMemory& memory)
+vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
+  const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given)
 {
   bool isEmbedded = false;
-  const auto points = MakePoints(embedded, type, memory,
+  const auto points = MakePoints(embedded, type,
     [&](auto* to)
     {
       const Fingerprint print = ComputeFingerprint(
