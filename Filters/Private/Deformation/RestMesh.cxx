@@ -290,7 +290,7 @@ bool RestMesh::BuildUniform(
   {
     this->TetCorners = GatherCorners(operators.Cells, true);
     this->OtherCorners = GatherCorners(operators.Cells, false);
-    this->Tets = TetSearch(this->GetPoints(), this->TetCorners);
+    this->Tets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
   }
   return true;
 }
@@ -354,22 +354,13 @@ const double* RestMesh::GetPoints() const
   return static_cast<const double*>(this->Points->GetVoidPointer(0));
 }
 
-const SimplexTree& RestMesh::GetNearestTets()
+const SimplexTree& RestMesh::GetOthers()
 {
-  if (this->NearestTets.GetNumberOfSimplices() == 0 && !this->TetCorners.empty())
+  if (this->Others.GetNumberOfSimplices() == 0 && !this->OtherCorners.empty())
   {
-    this->NearestTets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
+    this->Others = SimplexTree(this->GetPoints(), 3, this->OtherCorners);
   }
-  return this->NearestTets;
-}
-
-const SimplexTree& RestMesh::GetNearestOthers()
-{
-  if (this->NearestOthers.GetNumberOfSimplices() == 0 && !this->OtherCorners.empty())
-  {
-    this->NearestOthers = SimplexTree(this->GetPoints(), 3, this->OtherCorners);
-  }
-  return this->NearestOthers;
+  return this->Others;
 }
 
 vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(vtkPointSet* deformed) const
