@@ -426,15 +426,6 @@ bool SimplexTree::FindHolding(
   return place.Simplex >= 0;
 }
 
-double SimplexTree::FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const
-{
-  const double* corners[4];
-  this->GetPoints(simplex, corners);
-  place = PlaceInSimplex();
-  place.Simplex = simplex;
-  return FindNearestPlace(corners, this->Corners, x, place.Weights);
-}
-
 bool SimplexTree::FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const
 {
   Nearest nearest;

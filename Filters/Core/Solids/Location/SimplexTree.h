@@ -50,8 +50,6 @@ public:
     const double x[3], const HoldTolerances& tolerances, PlaceInSimplex& place) const;
   /// The first of the nearest simplices, the nearest place in it and the squared distance.
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
-  /// The nearest place in one simplex. Returns the squared distance.
-  double FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const;
   /// Calls visit(simplex) for all simplices in boxes for which meets(box) holds, and for others
   /// beside them.
   template <typename Meets, typename Visit>

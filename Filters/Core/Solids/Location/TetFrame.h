@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_TetFrame_h
 #define SubdivisionObjects_TetFrame_h
 
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 
 #include <array>
 
