@@ -122,16 +122,6 @@ int vtkSubdivisionDeformation::ExecuteInformation(
   return 1;
 }
 
-vtkTypeBool vtkSubdivisionDeformation::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()))
-  {
-    this->Work->AwaitOutputs(); // the pipeline forgets them now, and then calls RequestData
-  }
-  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
-}
-
 /// Whichever part of the input is asked for, the control meshes are needed whole.
 int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
@@ -159,11 +149,6 @@ int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
 int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const struct Release
-  {
-    subdivision::Deformation& Work;
-    ~Release() { this->Work.ReleaseOutputs(); }
-  } release{ *this->Work };
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
   options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);

@@ -202,10 +202,6 @@ public:
    */
   vtkIdType GetNumberOfOutsidePoints() const;
 
-  /// For the pipeline.
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-
 protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;

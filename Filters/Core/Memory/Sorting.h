@@ -9,7 +9,6 @@
 #include "Core/Memory/Buffer.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <functional>
 #include <utility>
 #include <vector>
@@ -58,62 +57,6 @@ void SortDistinct(std::vector<T>& values)
 {
   StableSort(values, std::less<>());
   values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-/// Sorts the numbers of [0, size) by key(i), which is less than `keys` <= 65536; numbers with equal
-/// keys stay in ascending order. Key k has order[starts[k] .. starts[k + 1]).
-template <typename Key>
-void SortByKey(int size, int keys, const Key& key, Buffer<int>& order, std::vector<int>& starts)
-{
-  const int block = std::max(1 << 14, size / 64 + 1);
-  const int blocks = (size + block - 1) / block;
-  const auto forBlocks = [=](const auto& act) // act(b, begin, end)
-  {
-    ForRangesOfBlocks(blocks,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        for (auto b = static_cast<int>(first); b < last; ++b)
-        {
-          act(b, b * block, std::min(size, static_cast<int>((b + 1LL) * block)));
-        }
-      });
-  };
-  Buffer<std::uint16_t> found(size);
-  Buffer<int> places(vtkIdType(keys) * blocks + 1); // by key, then by block
-  forBlocks(
-    [&](int b, int begin, int end)
-    {
-      std::vector<int> counts(keys, 0);
-      for (int i = begin; i < end; ++i)
-      {
-        found[i] = static_cast<std::uint16_t>(key(i));
-        ++counts[found[i]];
-      }
-      for (int k = 0; k < keys; ++k)
-      {
-        places[vtkIdType(k) * blocks + b] = counts[k];
-      }
-    });
-  CountsToOffsets(places);
-  order = Buffer<int>(size);
-  forBlocks(
-    [&](int b, int begin, int end)
-    {
-      std::vector<int> next(keys);
-      for (int k = 0; k < keys; ++k)
-      {
-        next[k] = places[vtkIdType(k) * blocks + b];
-      }
-      for (int i = begin; i < end; ++i)
-      {
-        order[next[found[i]]++] = i;
-      }
-    });
-  starts.resize(keys + 1);
-  for (int k = 0; k <= keys; ++k)
-  {
-    starts[k] = places[vtkIdType(k) * blocks];
-  }
 }
 
 }

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ApplyRows.h"
 
-#include "Core/Operators/Appliers.h"
 #include "Core/Operators/PackedArrays.h"
 #include "Core/Operators/RingSums.h"
 
+#include "vtkSetGet.h"
+
 #include <algorithm>
+#include <stdexcept>
+#include <type_traits>
 
 namespace subdivision
 {
@@ -181,18 +184,57 @@ void SumBlock(const QuadRows<Id>& rows, const In* in, Out* out, int components)
 // ------------------------------------------------------------------------------------------------
 // Types of values
 
-struct RowBlocks
+/// Applies a block to values of given types. N is the number of components, 0: it is known at run
+/// time only.
+template <int N, typename In, typename Out>
+void ApplyBlock(const RowsView& view, const void* in, void* out, int components)
 {
-  using View = RowsView;
-  static constexpr int MostKnown = 4;
+  std::visit([&](const auto& rows)
+    { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
+}
+using Applier = void (*)(const RowsView& view, const void* in, void* out, int components);
 
-  template <int N, typename In, typename Out>
-  static void Apply(const RowsView& view, const void* in, void* out, int components)
+/// 1 and 3 values of a frequent type, and 4 of packed arrays, have unrolled loops. More cases would
+/// cost compile time.
+template <typename In, typename Out = In>
+Applier FindApplier(int components)
+{
+  if constexpr (std::is_floating_point<In>::value || std::is_same<In, unsigned char>::value)
   {
-    std::visit([&](const auto& rows)
-      { SumBlock<N>(rows, static_cast<const In*>(in), static_cast<Out*>(out), components); }, view);
+    if (components == 1)
+    {
+      return ApplyBlock<1, In, Out>;
+    }
+    if (components == 3)
+    {
+      return ApplyBlock<3, In, Out>;
+    }
   }
-};
+  if constexpr (std::is_same<In, double>::value && std::is_same<Out, double>::value)
+  {
+    if (components == 4)
+    {
+      return ApplyBlock<4, In, Out>;
+    }
+  }
+  return ApplyBlock<0, In, Out>;
+}
+
+Applier FindApplier(const MovedArray& array)
+{
+  if (array.InType == VTK_DOUBLE && array.OutType == VTK_FLOAT)
+  {
+    return FindApplier<double, float>(array.Components);
+  }
+  if (array.InType == array.OutType)
+  {
+    switch (array.InType)
+    {
+      vtkTemplateMacro(return FindApplier<VTK_TT>(array.Components));
+    }
+  }
+  throw std::invalid_argument("operators do not know this type of values");
+}
 
 template <typename From, typename To>
 void ConvertValues(const From* from, To* to, vtkIdType size)
@@ -232,7 +274,7 @@ void ApplyInStages(const PointOperator& operation, const MovedArray& array)
   Buffer<double> results(isDouble ? 0 : operation.GetNumberOfRows() * array.Components);
   double* out = isDouble ? static_cast<double*>(array.Out) : results.data();
   Buffer<double> between(operation.GetNumberBetween() * array.Components);
-  const Applier<RowBlocks> apply = FindApplier<RowBlocks, double>(array.Components);
+  const Applier apply = FindApplier<double>(array.Components);
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
@@ -294,12 +336,17 @@ void ApplyToArrays(const PointOperator& operation, PackedArrays& packed,
   arrays.erase(
     std::remove_if(arrays.begin(), arrays.end(), [](const MovedArray& array) { return !array.In; }),
     arrays.end());
-  const Appliers<RowBlocks> appliers(arrays);
+  std::vector<Applier> appliers;
+  std::transform(arrays.begin(), arrays.end(), std::back_inserter(appliers),
+    [](const MovedArray& array) { return FindApplier(array); });
   operation.ForEachBlock(
     [&](const RowsView& view)
     {
       packed.Apply(view);
-      appliers.Apply(view);
+      for (std::size_t i = 0; i < arrays.size(); ++i)
+      {
+        appliers[i](view, arrays[i].In, arrays[i].Out, arrays[i].Components);
+      }
       if (also)
       {
         also(view);
@@ -310,7 +357,7 @@ void ApplyToArrays(const PointOperator& operation, PackedArrays& packed,
 
 void SumRows(const RowsView& rows, const double* in, double* out, int components)
 {
-  FindApplier<RowBlocks, double>(components)(rows, in, out, components);
+  FindApplier<double>(components)(rows, in, out, components);
 }
 
 void PointOperator::ApplyTo(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ApplyRows.h
- * Applies operators to arrays. Appliers.h alone knows the types of values that arrays have.
+ * Applies operators to arrays. ApplyRows.cxx alone knows the types of values that arrays have.
  */
 #ifndef SubdivisionObjects_ApplyRows_h
 #define SubdivisionObjects_ApplyRows_h

@@ -18,11 +18,81 @@ struct Term
   vtkIdType Size;
 };
 
-/// use(term) for each term of a row of rules and rings, in the order in which ApplyRows.cxx adds
-/// them.
+/// The number of the row of a block.
+template <typename Rows>
+vtkIdType GetRow(const Rows& rows, vtkIdType i)
+{
+  return rows.FirstRow + i;
+}
+template <typename Id>
+vtkIdType GetRow(const WeightedRows<Id>& rows, vtkIdType i)
+{
+  return rows.Numbers ? static_cast<vtkIdType>(rows.Numbers[i]) : rows.FirstRow + i;
+}
+
+/// Whether rows may replace rows of rings that were passed before.
+template <typename Rows>
+constexpr bool ReplacesRows(const Rows&)
+{
+  return false;
+}
+template <typename Id>
+constexpr bool ReplacesRows(const WeightedRows<Id>&)
+{
+  return true;
+}
+
+/// use(term) for each term of a row, in the order in which ApplyRows.cxx adds them.
+template <typename Use>
+void ForTerms(const CopiedRows& rows, vtkIdType i, const Use& use)
+{
+  const vtkIdType column = rows.FirstColumn + i;
+  use(Term<vtkIdType>{ 1., &column, 1 });
+}
+template <typename Id, typename Use>
+void ForTerms(const WeightedRows<Id>& rows, vtkIdType i, const Use& use)
+{
+  for (vtkIdType k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
+  {
+    const vtkIdType column = rows.FirstColumn + rows.Columns[k];
+    use(Term<vtkIdType>{ rows.Weights[k], &column, 1 });
+  }
+}
+template <typename Id, typename Use>
+void ForTerms(const EqualRows<Id>& rows, vtkIdType i, const Use& use)
+{
+  for (int k = 0; k < rows.Size; ++k)
+  {
+    use(Term<Id>{ rows.Weights[k], rows.Columns + rows.Size * i + k, 1 });
+  }
+}
+template <typename Use>
+void ForTerms(const RowsOfFour& rows, vtkIdType i, const Use& use)
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    use(Term<int>{ rows.Rows[i].Weights[k], rows.Rows[i].Columns + k, 1 });
+  }
+}
+template <typename Id, typename Use>
+void ForTerms(const QuadRows<Id>& rows, vtkIdType i, const Use& use)
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    const Id column = rows.GetColumn(i, k);
+    use(Term<Id>{ rows.Weights[k], &column, 1 });
+  }
+}
 template <typename Id, typename Use>
 void ForTerms(const RingRows<Id>& rows, vtkIdType i, const Use& use)
 {
+  const auto useIfAny = [&use](const Term<Id>& term)
+  {
+    if (term.Weight != 0. && term.Size > 0)
+    {
+      use(term);
+    }
+  };
   const Row<Id> ring = rows.GetRing(i);
   if (rows.OfCentres)
   {
@@ -38,20 +108,21 @@ void ForTerms(const RingRows<Id>& rows, vtkIdType i, const Use& use)
     {
       all += static_cast<double>(counts[k]) / 3.;
     }
-    use(Term<Id>{ rows.Masks->CountedOwn, &vertex, 1 });
+    useIfAny(Term<Id>{ rows.Masks->CountedOwn, &vertex, 1 });
     for (vtkIdType k = 0; k < ring.size(); ++k)
     {
-      use(Term<Id>{
+      useIfAny(Term<Id>{
         rows.Masks->CountedOther * static_cast<double>(counts[k]) / all, ring.begin() + k, 1 });
     }
     return;
   }
   const PartedMask mask = GetMask(*rows.Masks, rows.OfEdges, rows.Strata[i].GetRule(), ring.size());
-  use(rows.OfEdges ? Term<Id>{ mask.Own, rows.Ends + 2 * i, 2 } : Term<Id>{ mask.Own, &vertex, 1 });
+  useIfAny(
+    rows.OfEdges ? Term<Id>{ mask.Own, rows.Ends + 2 * i, 2 } : Term<Id>{ mask.Own, &vertex, 1 });
   const Id* first = ring.begin();
   for (int part = 0; part < mask.Parts; ++part)
   {
-    use(Term<Id>{ mask.Weights[part], first, mask.Sizes[part] });
+    useIfAny(Term<Id>{ mask.Weights[part], first, mask.Sizes[part] });
     first += mask.Sizes[part];
   }
 }
@@ -65,7 +136,7 @@ public:
     , NumberOfColumns(operation.GetNumberOfColumns())
     , Entries(operation.GetNumberOfRows() + 1, 0)
     , Sums(operation.GetNumberOfRows() + 1, 0)
-    , IsWeighted(operation.GetNumberOfRows(), 0)
+    , IsReplaced(operation.GetNumberOfRows(), 0)
   {
   }
 
@@ -124,203 +195,78 @@ private:
     ForEach(copies, [this](vtkIdType i) { Set(this->First, i, i, 1.); });
   }
 
-  // ----------------------------------------------------------------------------------------------
-  // Rows of rules and rings. Explicit rows replace some of them.
-
-  template <typename Id>
-  static bool IsSum(const Term<Id>& term)
-  {
-    return term.Size > 1;
-  }
-  template <typename Id>
-  static bool Counts(const Term<Id>& term)
-  {
-    return term.Weight != 0. && term.Size > 0;
-  }
-
-  template <typename Id>
-  void Count(const RingRows<Id>& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      const vtkIdType row = rows.FirstRow + i;
-      this->Entries[row] = this->Sums[row] = 0;
-      ForTerms(rows, i,
-        [&](const Term<Id>& term)
-        {
-          this->Entries[row] += Counts(term) ? 1 : 0;
-          this->Sums[row] += Counts(term) && IsSum(term) ? 1 : 0;
-        });
-    }
-  }
-  template <typename Id>
-  void CountMembers(const RingRows<Id>& rows, long long* sizes)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      const vtkIdType row = rows.FirstRow + i;
-      vtkIdType sum = this->Sums[row];
-      ForTerms(rows, i,
-        [&](const Term<Id>& term)
-        {
-          if (!this->IsWeighted[row] && Counts(term) && IsSum(term))
-          {
-            sizes[sum++] = term.Size;
-          }
-        });
-    }
-  }
   template <typename Rows>
-  void CountMembers(const Rows&, long long*)
-  {
-  }
-  template <typename Id>
-  void Write(const RingRows<Id>& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      const vtkIdType row = rows.FirstRow + i;
-      if (!this->IsWeighted[row])
-      {
-        vtkIdType entry = this->Entries[row];
-        vtkIdType sum = this->NumberOfColumns + this->Sums[row];
-        ForTerms(rows, i,
-          [&](const Term<Id>& term)
-          {
-            if (Counts(term))
-            {
-              Set(this->Rows, entry++, IsSum(term) ? sum : *term.First, term.Weight);
-              sum += IsSum(term) ? this->WriteSum(term, sum) : 0;
-            }
-          });
-      }
-    }
-  }
-  /// Returns 1, the number of sums.
-  template <typename Id>
-  vtkIdType WriteSum(const Term<Id>& term, vtkIdType row)
-  {
-    for (vtkIdType k = 0; k < term.Size; ++k)
-    {
-      Set(this->First, this->First.Offsets[row] + k, term.First[k], 1.);
-    }
-    return 1;
-  }
-
-  // ----------------------------------------------------------------------------------------------
-  // Rows with weights
-
-  void Count(const CopiedRows& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      this->Entries[rows.FirstRow + i] = 1;
-    }
-  }
-  void Write(const CopiedRows& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      Set(this->Rows, this->Entries[rows.FirstRow + i], rows.FirstColumn + i, 1.);
-    }
-  }
-  void Count(const RowsOfFour& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      const auto& weights = rows.Rows[i].Weights;
-      this->Entries[rows.FirstRow + i] =
-        std::count_if(weights, weights + 4, [](double w) { return w != 0.; });
-    }
-  }
-  void Write(const RowsOfFour& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      vtkIdType entry = this->Entries[rows.FirstRow + i];
-      for (int k = 0; k < 4; ++k)
-      {
-        if (rows.Rows[i].Weights[k] != 0.)
-        {
-          Set(this->Rows, entry++, rows.Rows[i].Columns[k], rows.Rows[i].Weights[k]);
-        }
-      }
-    }
-  }
-  template <typename Id>
-  static vtkIdType GetRow(const WeightedRows<Id>& rows, vtkIdType i)
-  {
-    return rows.Numbers ? static_cast<vtkIdType>(rows.Numbers[i]) : rows.FirstRow + i;
-  }
-  template <typename Id>
-  void Count(const WeightedRows<Id>& rows)
+  void Count(const Rows& rows)
   {
     for (vtkIdType i = 0; i < rows.Count; ++i)
     {
       const vtkIdType row = GetRow(rows, i);
-      this->Entries[row] = rows.Offsets[i + 1] - rows.Offsets[i];
-      this->Sums[row] = 0;
-      this->IsWeighted[row] = 1;
+      this->Entries[row] = this->Sums[row] = 0;
+      this->IsReplaced[row] = ReplacesRows(rows) ? 1 : this->IsReplaced[row];
+      ForTerms(rows, i,
+        [&](const auto& term)
+        {
+          ++this->Entries[row];
+          this->Sums[row] += term.Size > 1 ? 1 : 0;
+        });
     }
   }
-  template <typename Id>
-  void Write(const WeightedRows<Id>& rows)
+  /// act(row, forTerms) for the rows that no others replace.
+  template <typename Rows, typename Act>
+  void ForKept(const Rows& rows, const Act& act)
   {
     for (vtkIdType i = 0; i < rows.Count; ++i)
     {
-      vtkIdType entry = this->Entries[GetRow(rows, i)];
-      for (vtkIdType k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
+      const vtkIdType row = GetRow(rows, i);
+      if (ReplacesRows(rows) || !this->IsReplaced[row])
       {
-        Set(this->Rows, entry++, rows.FirstColumn + rows.Columns[k], rows.Weights[k]);
+        act(row, [&](const auto& use) { ForTerms(rows, i, use); });
       }
     }
   }
-
-  template <typename Id>
-  void Count(const EqualRows<Id>& rows)
+  template <typename Rows>
+  void CountMembers(const Rows& rows, long long* sizes)
   {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      this->Entries[rows.FirstRow + i] = rows.Size;
-    }
-  }
-  template <typename Id>
-  void Write(const EqualRows<Id>& rows)
-  {
-    const Id* column = rows.Columns;
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      vtkIdType entry = this->Entries[rows.FirstRow + i];
-      for (int k = 0; k < rows.Size; ++k)
+    this->ForKept(rows,
+      [&](vtkIdType row, const auto& forTerms)
       {
-        Set(this->Rows, entry++, *column++, rows.Weights[k]);
-      }
-    }
+        vtkIdType sum = this->Sums[row];
+        forTerms(
+          [&](const auto& term)
+          {
+            if (term.Size > 1)
+            {
+              sizes[sum++] = term.Size;
+            }
+          });
+      });
   }
-
-  template <typename Id>
-  void Count(const QuadRows<Id>& rows)
+  template <typename Rows>
+  void Write(const Rows& rows)
   {
-    std::fill_n(this->Entries.data() + rows.FirstRow, rows.Count, 4);
-  }
-  template <typename Id>
-  void Write(const QuadRows<Id>& rows)
-  {
-    for (vtkIdType i = 0; i < rows.Count; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
+    this->ForKept(rows,
+      [&](vtkIdType row, const auto& forTerms)
       {
-        Set(
-          this->Rows, this->Entries[rows.FirstRow + i] + k, rows.GetColumn(i, k), rows.Weights[k]);
-      }
-    }
+        vtkIdType entry = this->Entries[row];
+        vtkIdType sum = this->NumberOfColumns + this->Sums[row];
+        forTerms(
+          [&](const auto& term)
+          {
+            Set(this->Rows, entry++, term.Size > 1 ? sum : *term.First, term.Weight);
+            for (vtkIdType k = 0; term.Size > 1 && k < term.Size; ++k)
+            {
+              Set(this->First, this->First.Offsets[sum] + k, term.First[k], 1.);
+            }
+            sum += term.Size > 1 ? 1 : 0;
+          });
+      });
   }
 
   const PointOperator& Operation;
   const vtkIdType NumberOfColumns;
   Buffer<long long> Entries;        ///< of each row; counts, then offsets
   Buffer<long long> Sums;           ///< the same of the sums that each row has
-  Buffer<unsigned char> IsWeighted; ///< whether a row of weights replaces the row of a ring
+  Buffer<unsigned char> IsReplaced; ///< whether a row of weights replaces the row of a ring
   Matrix First;
   Matrix Rows;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Operators/ShadingNormals.h"
 
+#include "Core/Memory/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,7 +14,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using namespace vectors;
 
 /// A sum shorter than this fraction of its terms has cancelled.
 constexpr double Cancelled = 1e-6;
@@ -38,16 +40,6 @@ Vector Normalise(const double a[3], double length = 1.)
 {
   const double own = Length(a);
   return { length * (a[0] / own), length * (a[1] / own), length * (a[2] / own) };
-}
-
-Vector Cross(const double a[3], const double b[3])
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-Vector Subtract(const double a[3], const double b[3])
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
 
 /// The longest vector; of equally long ones, but for rounding, the last in lexicographic order.
@@ -155,11 +147,11 @@ void ShadingStar::FindNormal(double normal[3])
     }
     const Vector a = Normalise(corner.A.data());
     const Vector b = Normalise(corner.B.data());
-    const Vector cross = Cross(a.data(), b.data());
+    const Vector cross = Cross(a, b);
     const double cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     const Vector side = Scale(Subtract(corner.B.data(), corner.A.data()).data(), 1. / largest);
     const Vector middle = Scale(corner.Middle.data(), 1. / largest);
-    const Vector area = Cross(middle.data(), side.data());
+    const Vector area = Cross(middle, side);
     // Sides in one line: the face beside them may have a normal.
     const bool isCorner = IsLong(cross.data(), parallel);
     if (isCorner || IsLong(area.data(), parallel * Length(middle.data()) * Length(side.data())))

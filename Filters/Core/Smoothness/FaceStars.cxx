@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -104,78 +103,54 @@ public:
     this->Points.push_back(this->Mesh.GetPlaces());
     for (int step = 0; step < this->Last; ++step)
     {
-      this->Points.push_back(this->Apply(step, this->Points.back()));
+      this->Points.push_back(this->Made.Apply(step, step + 1, this->Points.back()));
     }
   }
 
   SmoothnessFacts Examine(bool samples) const
   {
-    SmoothnessFacts facts;
     std::vector<int> order;
-    this->FindEigenvalues(facts, order);
-    if (samples && facts.Condition == Answer::Yes)
+    SmoothnessFacts facts = this->FindEigenvalues(order);
+    const std::vector<Place> map = samples ? this->FindMap(facts, order) : std::vector<Place>();
+    if (!map.empty())
     {
-      const std::vector<Place> map = this->FindMap(order[0]);
-      if (!map.empty())
-      {
-        this->Sample(map, facts);
-      }
+      this->Sample(map, facts);
     }
     return facts;
   }
 
   StarMap MakeMap() const
   {
-    StarMap map;
     std::vector<int> order;
-    this->FindEigenvalues(map.Facts, order);
-    const std::vector<Place> points =
-      map.Facts.Condition == Answer::Yes ? this->FindMap(order[0]) : std::vector<Place>();
-    if (!points.empty())
-    {
-      const SmoothnessFacts facts = map.Facts;
-      map = this->MakeMap(points);
-      map.Facts = facts;
-    }
+    const SmoothnessFacts facts = this->FindEigenvalues(order);
+    const std::vector<Place> points = this->FindMap(facts, order);
+    StarMap map = points.empty() ? StarMap() : this->MakeMap(points);
+    map.Facts = facts;
     return map;
   }
 
 private:
   static constexpr int Here = 2; ///< the level whose face in the middle is examined
 
-  std::vector<Place> Apply(int step, const std::vector<Place>& points) const
-  {
-    const Matrix rows = this->Made.GetStep(step);
-    std::vector<Place> next(static_cast<std::size_t>(rows.GetNumberOfRows()));
-    for (std::size_t v = 0; v < next.size(); ++v)
-    {
-      for (int c = 0; c < 2; ++c)
-      {
-        next[v][c] = SurfaceStarLevels::SumRow(
-          rows, static_cast<vtkIdType>(v), [&](int from) { return points[from][c]; });
-      }
-    }
-    return next;
-  }
-
   int FindMiddleOf(int level) const
   {
     return FindMiddle(this->Made.Get(level).Mesh, this->Points[level]);
   }
 
-  void FindEigenvalues(SmoothnessFacts& facts, std::vector<int>& order) const
+  SmoothnessFacts FindEigenvalues(std::vector<int>& order) const
   {
+    SmoothnessFacts facts;
     facts.Valence = this->Star.Faces;
     LocalMatrix matrix;
-    if (!this->MakeMatrix(matrix, order))
+    if (this->MakeMatrix(matrix, order))
     {
-      return;
+      std::vector<double> moduli = matrix.FindModuli();
+      facts.SetEigenvalues(moduli);
+      moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
+      moduli[3] = std::max(moduli[3], 1. / 4.);
+      facts.Condition = HoldsInside(moduli, 2);
     }
-    std::vector<double> moduli = matrix.FindModuli();
-    facts.SetEigenvalues(moduli);
-    moduli.resize(std::max<std::size_t>(moduli.size(), 4), 0.);
-    moduli[3] = std::max(moduli[3], 1. / 4.);
-    facts.Condition = HoldsInside(moduli, 2);
+    return facts;
   }
 
   /// Of the corners of the face. `order`: for each of its new corners the old one in its place,
@@ -252,29 +227,18 @@ private:
   }
 
   /// Where the map takes the vertices of the last level; unknown places are no numbers. Empty if
-  /// there is no map. `first` as in MakeMatrixAround.
-  std::vector<Place> FindMap(int first) const
+  /// there is no map. `order` as in MakeMatrix.
+  std::vector<Place> FindMap(const SmoothnessFacts& facts, const std::vector<int>& order) const
   {
     LocalMatrix matrix;
     std::vector<int> vertices;
-    const std::vector<double> basis = this->MakeMatrixAround(first, matrix, vertices)
+    const std::vector<double> basis =
+      facts.Condition == Answer::Yes && this->MakeMatrixAround(order[0], matrix, vertices)
       ? matrix.FindLeading(2)
       : std::vector<double>();
-    if (basis.empty())
-    {
-      return {};
-    }
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    std::vector<Place> map(this->Points[Here].size(), Place{ { unknown, unknown } });
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      map[vertices[i]] = { { basis[2 * i], basis[2 * i + 1] } };
-    }
-    for (int step = Here; step < this->Last; ++step)
-    {
-      map = this->Apply(step, map);
-    }
-    return map;
+    return basis.empty()
+      ? std::vector<Place>()
+      : this->Made.Apply(Here, this->Last, PlaceValues(basis, vertices, this->Points[Here].size()));
   }
 
   /// The length of an edge of the last level.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Smoothness/SolidMaps.h"
 
+#include "Core/Memory/Vectors.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/LocalMatrix.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
@@ -18,7 +19,9 @@ namespace
 
 /// Where a vertex lies: its weights on the star's vertices, in multiples of the smallest.
 using Place = std::vector<int>;
-using Point = std::array<double, 3>;
+using Point = vectors::Vector;
+using vectors::Cross;
+using vectors::Dot;
 
 Place Add(const Place& a, const Place& b)
 {
@@ -43,13 +46,7 @@ int Measure(const Place& offset)
 
 double Determinant(const Point& a, const Point& b, const Point& c)
 {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-    a[2] * (b[0] * c[1] - b[1] * c[0]);
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  return Dot(a, Cross(b, c));
 }
 
 /// The signed solid angle of a triangle, seen from the origin (A. van Oosterom and J. Strackee).
@@ -153,53 +150,20 @@ public:
 
   SmoothnessFacts Examine(bool samples) const
   {
-    SmoothnessFacts facts;
-    const LocalMatrix near = this->MakeMatrix(this->Near);
-    facts.Valence = near.GetSize() - 1;
-    if (!this->IsClosed)
+    SmoothnessFacts facts = this->FindEigenvalues();
+    const std::vector<Point> map = samples ? this->FindMap(facts) : std::vector<Point>();
+    if (!map.empty())
     {
-      return facts;
-    }
-    const std::vector<double> moduli = near.FindModuli();
-    facts.SetEigenvalues(moduli);
-    facts.Condition = HoldsInside(moduli, 3);
-    const std::vector<double> basis =
-      samples && facts.Condition == Answer::Yes ? near.FindLeading(3) : std::vector<double>();
-    const std::vector<double> values = this->FindValues(basis);
-    if (!values.empty())
-    {
-      this->Sample(this->TakeStep(values), facts);
+      this->Sample(map, facts);
     }
     return facts;
   }
 
   StarMap MakeMap() const
   {
-    StarMap map;
-    const LocalMatrix near = this->MakeMatrix(this->Near);
-    const std::vector<double> moduli = this->IsClosed ? near.FindModuli() : std::vector<double>();
-    map.Facts.Valence = near.GetSize() - 1;
-    map.Facts.SetEigenvalues(moduli);
-    map.Facts.Condition = HoldsInside(moduli, 3);
-    const std::vector<double> values = map.Facts.Condition == Answer::Yes
-      ? this->FindValues(near.FindLeading(3))
-      : std::vector<double>();
-    if (values.empty())
-    {
-      return map;
-    }
-    std::vector<Point> points(this->Places.size(), NotKnown());
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
-    {
-      std::copy_n(
-        values.begin() + 3 * static_cast<std::ptrdiff_t>(i), 3, points[this->Vertices[i]].begin());
-    }
-    for (std::size_t level = 0; level < this->Finer.size(); ++level)
-    {
-      points = this->TakeStepInside(points, level);
-    }
-    const SmoothnessFacts facts = map.Facts;
-    map = this->MakeMap(std::move(points));
+    const SmoothnessFacts facts = this->FindEigenvalues();
+    std::vector<Point> points = this->FindMap(facts);
+    StarMap map = points.empty() ? StarMap() : this->MakeMap(std::move(points));
     map.Facts = facts;
     return map;
   }
@@ -211,12 +175,43 @@ private:
     return { { unknown, unknown, unknown } };
   }
 
-  /// The leading eigenvectors of the middle, continued to the star.
-  std::vector<double> FindValues(const std::vector<double>& basis) const
+  SmoothnessFacts FindEigenvalues() const
   {
-    return basis.empty()
-      ? std::vector<double>()
-      : this->MakeMatrix(static_cast<int>(this->Vertices.size())).Continue(this->Near, basis, 3);
+    SmoothnessFacts facts;
+    facts.Valence = this->Near - 1;
+    if (this->IsClosed)
+    {
+      const std::vector<double> moduli = this->MakeMatrix(this->Near).FindModuli();
+      facts.SetEigenvalues(moduli);
+      facts.Condition = HoldsInside(moduli, 3);
+    }
+    return facts;
+  }
+
+  /// The map at the vertices of the last level: the leading eigenvectors of the middle, continued
+  /// to the star. Not a number where it is not known; empty if there is none.
+  std::vector<Point> FindMap(const SmoothnessFacts& facts) const
+  {
+    const auto size = static_cast<int>(this->Vertices.size());
+    const std::vector<double> basis = facts.Condition == Answer::Yes
+      ? this->MakeMatrix(this->Near).FindLeading(3)
+      : std::vector<double>();
+    const std::vector<double> values =
+      basis.empty() ? basis : this->MakeMatrix(size).Continue(this->Near, basis, 3);
+    if (values.empty())
+    {
+      return {};
+    }
+    std::vector<Point> points(this->Places.size(), NotKnown());
+    for (int i = 0; i < size; ++i)
+    {
+      std::copy_n(values.begin() + std::ptrdiff_t(3) * i, 3, points[this->Vertices[i]].begin());
+    }
+    for (std::size_t level = 0; level < this->Finer.size(); ++level)
+    {
+      points = this->TakeStepInside(points, level);
+    }
+    return points;
   }
 
   /// Where the star ends, its rules are not the rules of the mapped mesh: nothing is known there.
@@ -423,26 +418,6 @@ private:
       }
     }
     return matrix;
-  }
-
-  /// The map at the vertices of the next level, not a number where it is not known.
-  std::vector<Point> TakeStep(const std::vector<double>& values) const
-  {
-    std::vector<Point> made(this->Children.size());
-    for (std::size_t row = 0; row < made.size(); ++row)
-    {
-      for (int c = 0; c < 3; ++c)
-      {
-        made[row][c] = SumRow(this->Operators.front(), static_cast<int>(row),
-          [&](int vertex)
-          {
-            const int column = this->Columns[vertex];
-            return column < 0 ? std::numeric_limits<double>::quiet_NaN()
-                              : values[3 * column + c] - values[c];
-          });
-      }
-    }
-    return made;
   }
 
   void Sample(const std::vector<Point>& map, SmoothnessFacts& facts) const

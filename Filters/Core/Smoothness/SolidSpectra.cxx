@@ -130,29 +130,20 @@ private:
     return this->Strata.Vertices[vertex].GetRule() <= Rule::Curve;
   }
 
+  /// Lists the faces of surfaces by their vertices where sheets may end, and all others at the end.
   void CollectFaces()
   {
-    this->Offsets = Buffer<vtkIdType>(vtkIdType(this->Complex.NumberOfVertices) + 1, 0);
-    const auto visit = [&](const auto& act)
-    {
-      for (const Id f : InTurn(this->Complex.NumberOfFaces))
+    const auto& corners = this->Complex.FaceVertices;
+    const vtkIdType vertices = this->Complex.NumberOfVertices;
+    this->Faces = ListByRow<vtkIdType>(
+      vertices + 1, corners.size(),
+      [&](vtkIdType i)
       {
-        const Id* corners = this->Complex.FaceVertices.data() + 3 * vtkIdType(f);
-        for (int k = 0; this->Strata.Faces[f].GetRule() == Rule::Surface && k < 3; ++k)
-        {
-          if (this->EndsSheets(corners[k]))
-          {
-            act(corners[k], f);
-          }
-        }
-      }
-    };
-    visit([&](Id v, Id) { ++this->Offsets[v]; });
-    CountsToOffsets(this->Offsets);
-    this->Faces = Buffer<Id>(this->Offsets[this->Complex.NumberOfVertices]);
-    Buffer<vtkIdType> next(this->Complex.NumberOfVertices);
-    std::copy_n(this->Offsets.begin(), next.size(), next.begin());
-    visit([&](Id v, Id f) { this->Faces[next[v]++] = f; });
+        const bool isWanted =
+          this->Strata.Faces[i / 3].GetRule() == Rule::Surface && this->EndsSheets(corners[i]);
+        return isWanted ? vtkIdType(corners[i]) : vertices;
+      },
+      [](vtkIdType i) { return i / 3; });
   }
 
   /// The face on the other side of an edge in its sheet; -1 at the sheet's end.
@@ -192,9 +183,9 @@ private:
   void Walk(Id vertex)
   {
     std::vector<Id> done;
-    for (vtkIdType i = this->Offsets[vertex]; i < this->Offsets[vtkIdType(vertex) + 1]; ++i)
+    for (const vtkIdType at : this->Faces[vertex])
     {
-      const Id face = this->Faces[i];
+      const Id face = static_cast<Id>(at);
       if (std::find(done.begin(), done.end(), face) != done.end())
       {
         continue;
@@ -226,8 +217,7 @@ private:
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  Buffer<vtkIdType> Offsets;
-  Buffer<Id> Faces; ///< of each vertex
+  Rows<vtkIdType> Faces; ///< of each vertex
   std::vector<Sheet> Sheets;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Smoothness/StarMap.h"
 
+#include "Core/Memory/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,20 +12,12 @@ namespace
 {
 
 using Point = StarMap::Point;
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using vectors::Cross;
+using vectors::Dot;
 
 Point Subtract(const Point& a, const Point& b, double factor = 1.)
 {
   return { { a[0] - factor * b[0], a[1] - factor * b[1], a[2] - factor * b[2] } };
-}
-
-Point Cross(const Point& a, const Point& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
 Point Scale(const Point& a, double factor)

@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace subdivision
 {
@@ -166,6 +167,37 @@ SparseRows<int> SurfaceStarLevels::GetSteps(int from, int to) const
     product = Multiply(this->GetStep(step), product);
   }
   return product;
+}
+
+std::vector<Place> SurfaceStarLevels::Apply(int from, int to, std::vector<Place> values) const
+{
+  for (int step = from; step < to; ++step)
+  {
+    const Matrix rows = this->GetStep(step);
+    std::vector<Place> next(static_cast<std::size_t>(rows.GetNumberOfRows()));
+    for (std::size_t v = 0; v < next.size(); ++v)
+    {
+      for (int c = 0; c < 2; ++c)
+      {
+        next[v][c] =
+          SumRow(rows, static_cast<vtkIdType>(v), [&](int column) { return values[column][c]; });
+      }
+    }
+    values = std::move(next);
+  }
+  return values;
+}
+
+std::vector<Place> PlaceValues(
+  const std::vector<double>& values, const std::vector<int>& vertices, std::size_t size)
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Place> placed(size, Place{ { unknown, unknown } });
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+  {
+    placed[vertices[i]] = { { values[2 * i], values[2 * i + 1] } };
+  }
+  return placed;
 }
 
 std::vector<std::vector<Place>> FindStarPlaces(

@@ -37,6 +37,8 @@ public:
   Matrix GetStep(int step) const { return this->Steps->GetStep(step).Store(); }
   /// From one level to a later one.
   Matrix GetSteps(int from, int to) const;
+  /// Values of the vertices of a level at the vertices of a later one.
+  std::vector<StarMesh::Place> Apply(int from, int to, std::vector<StarMesh::Place> values) const;
 
   /// The sum of weight times get(column) over the entries of a row.
   template <typename Get>
@@ -53,6 +55,10 @@ public:
 private:
   std::unique_ptr<SurfaceSteps<int>> Steps;
 };
+
+/// The values of some of `size` vertices, two for each; others have no numbers.
+std::vector<StarMesh::Place> PlaceValues(
+  const std::vector<double>& values, const std::vector<int>& vertices, std::size_t size);
 
 /// Where the vertices of the control mesh and of the first `steps` levels lie in the control mesh.
 std::vector<std::vector<StarMesh::Place>> FindStarPlaces(

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -60,29 +59,23 @@ public:
     SmoothnessFacts facts;
     LocalMatrix matrix;
     this->FindEigenvalues(matrix, facts);
-    if (samples && facts.Condition == Answer::Yes)
+    const std::vector<Place> map =
+      samples && facts.Condition == Answer::Yes ? this->FindMap(matrix) : std::vector<Place>();
+    if (!map.empty())
     {
-      const std::vector<double> basis = matrix.FindLeading(2);
-      if (!basis.empty())
-      {
-        this->Sample(basis, facts);
-      }
+      this->Sample(map, facts);
     }
     return facts;
   }
 
   StarMap MakeMap() const
   {
-    StarMap map;
+    SmoothnessFacts facts;
     LocalMatrix matrix;
-    const bool isUnique = this->FindEigenvalues(matrix, map.Facts);
-    const std::vector<double> basis = isUnique ? matrix.FindLeading(2) : std::vector<double>();
-    if (!basis.empty())
-    {
-      const SmoothnessFacts facts = map.Facts;
-      map = this->MakeMap(basis);
-      map.Facts = facts;
-    }
+    const std::vector<Place> points =
+      this->FindEigenvalues(matrix, facts) ? this->FindMap(matrix) : std::vector<Place>();
+    StarMap map = points.empty() ? StarMap() : this->MakeMap(points);
+    map.Facts = facts;
     return map;
   }
 
@@ -103,29 +96,23 @@ private:
     return HoldsInside(moduli, 2) == Answer::Yes;
   }
 
-  StarMap MakeMap(const std::vector<double>& basis) const
+  /// The map at the vertices of the last level, no numbers where it is not known; empty if there is
+  /// none.
+  std::vector<Place> FindMap(const LocalMatrix& matrix) const
   {
     const int period = this->Repeats.Steps;
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    std::vector<StarMap::Point> points(
-      this->Columns.size(), StarMap::Point{ { unknown, unknown, 0. } });
-    for (std::size_t i = 0; i < this->Vertices.size(); ++i)
+    const std::vector<double> basis = matrix.FindLeading(2);
+    return basis.empty() ? std::vector<Place>()
+                         : this->Made.Apply(period, this->Last,
+                             PlaceValues(basis, this->Vertices, this->Columns.size()));
+  }
+
+  StarMap MakeMap(const std::vector<Place>& map) const
+  {
+    std::vector<StarMap::Point> points;
+    for (const Place& place : map)
     {
-      points[this->Vertices[i]] = { { basis[2 * i], basis[2 * i + 1], 0. } };
-    }
-    for (int step = period; step < this->Last; ++step)
-    {
-      const Matrix rows = this->Made.GetStep(step);
-      std::vector<StarMap::Point> made(static_cast<std::size_t>(rows.GetNumberOfRows()));
-      for (std::size_t v = 0; v < made.size(); ++v)
-      {
-        for (int c = 0; c < 2; ++c)
-        {
-          made[v][c] = SurfaceStarLevels::SumRow(
-            rows, static_cast<vtkIdType>(v), [&](int from) { return points[from][c]; });
-        }
-      }
-      points = std::move(made);
+      points.push_back({ { place[0], place[1], 0. } });
     }
     const std::vector<Place>& places = this->Places.back();
     std::vector<double> rings;
@@ -192,23 +179,12 @@ private:
     return isClosed;
   }
 
-  void Sample(const std::vector<double>& basis, SmoothnessFacts& facts) const
+  void Sample(std::vector<Place> map, SmoothnessFacts& facts) const
   {
-    const int period = this->Repeats.Steps;
-    const Matrix further = this->Made.GetSteps(period, this->Last);
-    std::vector<Place> map(static_cast<std::size_t>(further.GetNumberOfRows()));
-    const int middle = this->Columns[0];
-    for (std::size_t v = 0; v < map.size(); ++v)
+    const Place middle = map[0];
+    for (Place& place : map)
     {
-      for (int c = 0; c < 2; ++c)
-      {
-        map[v][c] = SurfaceStarLevels::SumRow(further, static_cast<vtkIdType>(v),
-          [&](int vertex)
-          {
-            const int column = this->Columns[vertex];
-            return column < 0 ? 0. : basis[2 * column + c] - basis[2 * middle + c];
-          });
-      }
+      place = { { place[0] - middle[0], place[1] - middle[1] } };
     }
     const double outer = 1. / this->Repeats.Factor;
     SetSamples(

@@ -112,7 +112,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   // Most often the points are known, and are moved while that is found out.
   EmbeddedPoints* embedded = this->GuessEmbedded(given, options);
   const double* moved = embedded ? this->Rest.MovePoints(control) : nullptr;
-  auto result = embedded ? MoveIfEmbedded(*embedded, moved, type, given, this->Outputs) : nullptr;
+  auto result = embedded ? MoveIfEmbedded(*embedded, moved, type, given) : nullptr;
   if (result)
   {
     this->Use(*embedded);
@@ -134,8 +134,8 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   }
   if (!result)
   {
-    result = MoveEmbeddedPoints(*embedded, static_cast<const double*>(control->GetVoidPointer(0)),
-      moved, type, this->Outputs);
+    result = MoveEmbeddedPoints(
+      *embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved, type);
   }
   CopyLooks(points, result);
   vtkNew<vtkPoints> outputPoints;
@@ -226,7 +226,6 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
   const bool isNew = !embedded;
   if (isNew)
   {
-    this->Outputs.Release(); // the peak is here, and others seldom have the same size
     ++this->Embedded.NumberOfBuilds;
     std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
     if (!made)

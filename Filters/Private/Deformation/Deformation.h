@@ -23,9 +23,6 @@ public:
   /// Forgets the points that were not used since the last call.
   void ForgetUnused() { this->Embedded.ForgetUnused(); }
   void Clear();
-  /// Says that outputs are forgotten from here on, and until when their memory is of use.
-  void AwaitOutputs() { this->Outputs.Await(); }
-  void ReleaseOutputs() { this->Outputs.Release(); }
 
   vtkIdType GetNumberOfTopologyBuilds() const { return this->Rest.NumberOfBuilds; }
   /// How often the cells of points were searched.
@@ -45,7 +42,6 @@ private:
 
   RestMesh Rest;
   KeptEntries<EmbeddedPoints> Embedded;
-  ReturnedMemory Outputs;
 };
 
 }

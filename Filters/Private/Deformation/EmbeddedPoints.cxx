@@ -55,7 +55,7 @@ CornerRow FindNearestCell(
 /// other meshes.
 double FindReach2(const RestMesh& rest, double tolerance)
 {
-  if (rest.GetTets().GetNumberOfTets() > 0)
+  if (rest.GetTets().GetNumberOfSimplices() > 0)
   {
     return -1.;
   }
@@ -99,10 +99,9 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
 
 /// An array for the points, which move(values) writes as float or double.
 template <typename Move>
-vtkSmartPointer<vtkDataArray> MakePoints(
-  const EmbeddedPoints& embedded, int type, ReturnedMemory& memory, const Move& move)
+vtkSmartPointer<vtkDataArray> MakePoints(const EmbeddedPoints& embedded, int type, const Move& move)
 {
-  auto points = memory.MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
+  auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
   const auto moveAll = [&](auto* to)
   {
     move(to);
@@ -130,30 +129,28 @@ void AddOutside(vtkDataArray* points, vtkIdType i, const RestMesh& rest, Embedde
   }
 }
 
-/// Finds the tetrahedra that hold points, some points at a time: the search takes as much memory as
-/// these points.
+/// Finds the tetrahedra that hold points.
 void FindTets(vtkDataArray* points, double tolerance, const RestMesh& rest, CornerRows& rows)
 {
-  constexpr vtkIdType part = 1 << 24;
   const vtkIdType size = points->GetNumberOfTuples();
+  const SimplexTree& tets = rest.GetTets();
   rows.NumberOfColumns = rest.GetNumberOfPoints();
   rows.Corners = rest.GetTetCorners();
   rows.Simplices = Buffer<int>(size);
-  if (rest.GetTets().GetNumberOfTets() == 0)
-  {
-    ForEach(size, [&](vtkIdType i) { rows.Simplices[i] = -1; });
-    return;
-  }
-  rows.Weights = Buffer<double>(3 * size);
-  Buffer<double> converted;
-  for (vtkIdType begin = 0; begin < size; begin += part)
-  {
-    const auto count = static_cast<int>(std::min(part, size - begin));
-    const double* values = ReadDoubles(
-      points->GetVoidPointer(3 * begin), points->GetDataType(), 3 * vtkIdType(count), converted);
-    rest.GetTets().Find(values, count, { Tolerance, tolerance }, rows.Simplices.data() + begin,
-      rows.Weights.data() + 3 * begin);
-  }
+  rows.Weights = Buffer<double>(tets.GetNumberOfSimplices() > 0 ? 3 * size : 0);
+  ForEach(size,
+    [&](vtkIdType i)
+    {
+      double x[3];
+      PlaceInSimplex place;
+      points->GetTuple(i, x);
+      tets.FindHolding(x, { Tolerance, tolerance }, place);
+      rows.Simplices[i] = static_cast<int>(place.Simplex);
+      if (place.Simplex >= 0)
+      {
+        std::copy_n(place.Weights + 1, 3, rows.Weights.data() + 3 * i);
+      }
+    });
 }
 
 /// Makes the rows of points that are in no tetrahedron, and tells which of them are outside. False:
@@ -185,8 +182,8 @@ bool BindToOthers(vtkDataArray* points, bool isSingle, RestMesh& rest, EmbeddedP
   if (!isShared && size > 0)
   {
     const SimplexTree none;
-    const SimplexTree& tets = isNearest ? rest.GetNearestTets() : none;
-    const SimplexTree& others = rest.GetNearestOthers();
+    const SimplexTree& tets = isNearest ? rest.GetTets() : none;
+    const SimplexTree& others = rest.GetOthers();
     const auto bind = [&](vtkIdType i)
     {
       double x[3];
@@ -261,18 +258,18 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
   return embedded;
 }
 
-vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(const EmbeddedPoints& embedded,
-  const double* control, const double* moved, int type, ReturnedMemory& memory)
+vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
 {
-  return MakePoints(embedded, type, memory, [&](auto* to)
+  return MakePoints(embedded, type, [&](auto* to)
     { moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3); });
 }
 
-vtkSmartPointer<vtkDataArray> MoveIfEmbedded(const EmbeddedPoints& embedded, const double* moved,
-  int type, vtkDataArray* given, ReturnedMemory& memory)
+vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
+  const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given)
 {
   bool isEmbedded = false;
-  const auto points = MakePoints(embedded, type, memory,
+  const auto points = MakePoints(embedded, type,
     [&](auto* to)
     {
       const Fingerprint print = ComputeFingerprint(

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_EmbeddedPoints_h
 
 #include "Core/Operators/CornerRows.h"
-#include "Private/Arrays/ReturnedMemory.h"
+#include "Private/Arrays/Fingerprint.h"
 #include "Private/Deformation/RestMesh.h"
 
 #include <limits>
@@ -51,14 +51,14 @@ struct EmbeddedPoints
 std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest);
 
 /// Moves the points. `control`: control points of the deformed mesh; `moved`: points of the
-/// subdivided deformed mesh, or null where there are composed rows; `memory`: where they may go.
-vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(const EmbeddedPoints& embedded,
-  const double* control, const double* moved, int type, ReturnedMemory& memory);
+/// subdivided deformed mesh, or null where there are composed rows.
+vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
+  const EmbeddedPoints& embedded, const double* control, const double* moved, int type);
 
 /// The same by `moved`, and meanwhile the fingerprint of `given`, points in single or double
 /// precision that may be the embedded ones. Null: it is another.
-vtkSmartPointer<vtkDataArray> MoveIfEmbedded(const EmbeddedPoints& embedded, const double* moved,
-  int type, vtkDataArray* given, ReturnedMemory& memory);
+vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
+  const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given);
 
 /// For each point the Jacobian matrix (row by row) of the affine map of its cell; the identity
 /// where it has no solid cell.

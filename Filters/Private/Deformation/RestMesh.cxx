@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Deformation/RestMesh.h"
 
-#include "Core/Solids/Location/TetFrame.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/SolidOrientation.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Surface/SurfaceOperators.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -290,7 +290,7 @@ bool RestMesh::BuildUniform(
   {
     this->TetCorners = GatherCorners(operators.Cells, true);
     this->OtherCorners = GatherCorners(operators.Cells, false);
-    this->Tets = TetSearch(this->GetPoints(), this->TetCorners);
+    this->Tets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
   }
   return true;
 }
@@ -354,22 +354,13 @@ const double* RestMesh::GetPoints() const
   return static_cast<const double*>(this->Points->GetVoidPointer(0));
 }
 
-const SimplexTree& RestMesh::GetNearestTets()
+const SimplexTree& RestMesh::GetOthers()
 {
-  if (this->NearestTets.GetNumberOfSimplices() == 0 && !this->TetCorners.empty())
+  if (this->Others.GetNumberOfSimplices() == 0 && !this->OtherCorners.empty())
   {
-    this->NearestTets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
+    this->Others = SimplexTree(this->GetPoints(), 3, this->OtherCorners);
   }
-  return this->NearestTets;
-}
-
-const SimplexTree& RestMesh::GetNearestOthers()
-{
-  if (this->NearestOthers.GetNumberOfSimplices() == 0 && !this->OtherCorners.empty())
-  {
-    this->NearestOthers = SimplexTree(this->GetPoints(), 3, this->OtherCorners);
-  }
-  return this->NearestOthers;
+  return this->Others;
 }
 
 vtkSmartPointer<vtkDataArray> RestMesh::MoveControlPoints(vtkPointSet* deformed) const
@@ -390,31 +381,26 @@ const double* RestMesh::MovePoints(vtkDataArray* control)
 
 void RestMesh::WarnOfInvertedCells(vtkDataArray* control, const DeformationOptions& options) const
 {
-  auto values = [](vtkDataArray* array)
-  { return static_cast<const double*>(array->GetVoidPointer(0)); };
-  const double* rest = values(this->ControlPoints);
-  const double* moved = control ? values(control) : nullptr;
+  const bool moved = control != nullptr;
   const SimplexList& simplices = this->Control.Simplices;
   const auto& parents = this->Control.ParentCells;
-  std::vector<vtkIdType> found;
-  const vtkIdType* ids = simplices.Connectivity.data();
-  for (vtkIdType i = 0; i < simplices.GetNumberOfSimplices(); ids += simplices.Dimensions[i++] + 1)
+  const auto orient = [&simplices](vtkDataArray* points)
   {
-    if (simplices.Dimensions[i] != 3)
+    constexpr double tie = 1e-14;
+    std::vector<signed char> signs(static_cast<std::size_t>(simplices.GetNumberOfSimplices()), 1);
+    for (const vtkIdType tet :
+      FindInvertedTets(simplices, { static_cast<const double*>(points->GetVoidPointer(0)), tie }))
     {
-      continue;
+      signs[tet / 2] = tet % 2 == 0 ? -1 : 0;
     }
-    auto orient = [&](const double* points)
-    {
-      const double* corners[4];
-      for (int k = 0; k < 4; ++k)
-      {
-        corners[k] = points + 3 * ids[k];
-      }
-      return GetOrientationOfTet(corners);
-    };
-    const int before = orient(rest);
-    const bool isWrong = moved ? before != 0 && orient(moved) != before : before <= 0;
+    return signs;
+  };
+  const std::vector<signed char> before = orient(this->ControlPoints);
+  const std::vector<signed char> after = moved ? orient(control) : before;
+  std::vector<vtkIdType> found;
+  for (const vtkIdType i : InTurn(simplices.GetNumberOfSimplices()))
+  {
+    const bool isWrong = moved ? before[i] != 0 && after[i] != before[i] : before[i] <= 0;
     const vtkIdType cell = parents.empty() ? i : parents[i];
     if (isWrong && (found.empty() || found.back() != cell)) // pieces of a cell are consecutive
     {

@@ -10,7 +10,6 @@
 
 #include "Core/Operators/OperatorSequence.h"
 #include "Core/Solids/Location/SimplexTree.h"
-#include "Core/Solids/Location/TetSearch.h"
 #include "Private/Deformation/DeformationOptions.h"
 #include "Private/Reading/CellsToSimplices.h"
 
@@ -55,13 +54,11 @@ public:
   bool IsTooLarge() const { return this->TooLarge; }
   /// Whether the mesh has points in single precision.
   bool IsSingle() const;
-  /// Which tetrahedra hold points, and their corners.
-  const TetSearch& GetTets() const { return this->Tets; }
+  /// Which tetrahedra hold points or are nearest, and their corners.
+  const SimplexTree& GetTets() const { return this->Tets; }
   const int* GetTetCorners() const { return this->TetCorners.data(); }
-  /// Which are nearest to points: tetrahedra, and triangles, lines and vertices. Made when they are
-  /// first asked for.
-  const SimplexTree& GetNearestTets();
-  const SimplexTree& GetNearestOthers();
+  /// Which triangles, lines and vertices are nearest to points. Made when first asked for.
+  const SimplexTree& GetOthers();
 
   /// Turns rows over the subdivided mesh into rows over the control points (of MoveControlPoints).
   /// Not for level 0, which has no operators.
@@ -88,9 +85,8 @@ private:
   bool TooLarge = false;
   Buffer<int> TetCorners;
   Buffer<int> OtherCorners; ///< 3 for each other cell
-  TetSearch Tets;
-  SimplexTree NearestTets;
-  SimplexTree NearestOthers;
+  SimplexTree Tets;
+  SimplexTree Others;
 };
 
 }

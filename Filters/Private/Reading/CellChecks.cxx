@@ -3,15 +3,12 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/NonLinearCells.h"
-#include "Private/Reading/PlainSimplices.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/SolidCells.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkGenericCell.h"
 #include "vtkPointSet.h"
@@ -20,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 
 namespace subdivision
@@ -183,62 +181,27 @@ CellState FindRepeats(int cellType, const CellIds& cell, std::vector<vtkIdType>&
   }
 }
 
-/// Writes to `finite` one byte per point, 0 where a coordinate is infinite or not a number, and to
-/// `blocks` one byte per block of points, 0 where the block has such a point.
-struct FiniteWorker
-{
-  template <typename Array>
-  void operator()(Array* array, unsigned char* finite, unsigned char* blocks)
-  {
-    const auto tuples = vtk::DataArrayTupleRange(array);
-    const vtkIdType size = tuples.size();
-    const auto work = [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType block = begin; block < end; ++block)
-      {
-        unsigned char all = 1;
-        const vtkIdType last = std::min(size, (block + 1) * CellsPerBlock);
-        for (vtkIdType i = block * CellsPerBlock; i < last; ++i)
-        {
-          unsigned char good = 1;
-          for (const auto x : tuples[i])
-          {
-            good &= std::isfinite(static_cast<double>(x)) ? 1 : 0;
-          }
-          finite[i] = good;
-          all &= good;
-        }
-        blocks[block] = all;
-      }
-    };
-    ForRangesOfBlocks((size + CellsPerBlock - 1) / CellsPerBlock, work);
-  }
-};
-
 /// One byte per point, 0 where a coordinate is infinite or not a number; empty if there is none
 /// with 0.
 std::vector<unsigned char> FindFinitePoints(vtkPointSet* input)
 {
-  const vtkIdType size = input->GetNumberOfPoints();
-  if (size > 0 && AreFinite(input->GetPoints()->GetData()))
-  {
-    return {};
-  }
-  std::vector<unsigned char> finite(static_cast<size_t>(size), 1);
-  if (size > 0)
-  {
-    std::vector<unsigned char> blocks(static_cast<size_t>(size / CellsPerBlock + 1), 1);
-    vtkDataArray* array = input->GetPoints()->GetData();
-    using Dispatch = vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>;
-    FiniteWorker worker;
-    if (!Dispatch::Execute(array, worker, finite.data(), blocks.data()))
+  std::vector<unsigned char> finite(static_cast<size_t>(input->GetNumberOfPoints()));
+  std::atomic<bool> areAll{ true };
+  ForEach(input->GetNumberOfPoints(),
+    [&](vtkIdType i)
     {
-      worker(array, finite.data(), blocks.data());
-    }
-    if (std::find(blocks.begin(), blocks.end(), 0) == blocks.end())
-    {
-      finite.clear();
-    }
+      double x[3];
+      input->GetPoints()->GetPoint(i, x);
+      const bool isFinite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+      finite[i] = isFinite ? 1 : 0;
+      if (!isFinite)
+      {
+        areAll = false;
+      }
+    });
+  if (areAll)
+  {
+    finite.clear();
   }
   return finite;
 }

@@ -9,7 +9,6 @@
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/NonLinearCells.h"
-#include "Private/Reading/PlainSimplices.h"
 #include "Private/Reading/PolygonEars.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/QuadDiagonals.h"
@@ -21,6 +20,7 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 namespace subdivision
@@ -513,6 +513,42 @@ void DescribeContested(std::vector<ContestedQuad>&& quads, std::vector<std::stri
     "there. Look for overlapping cells.");
 }
 
+/// Finds the dimensions of the cells if these are simplices all, without a fault. Returns false,
+/// and no dimensions, if one is not.
+bool ReadPlainSimplices(
+  const CellReader& cells, const CheckedCells& checked, std::vector<unsigned char>& dimensions)
+{
+  // Of a simplex, by the numbers of VTK's types; 0: it never is one.
+  constexpr int sizes[VTK_TETRA + 1] = { 0, 1, 1, 2, 2, 3, 3, 3, 0, 0, 4 };
+  const auto getSize = [&](vtkIdType cell, std::vector<vtkIdType>& scratch)
+  {
+    const int type = cells.GetCellType(cell);
+    const int size = checked.States[cell] == CellState::Good && type <= VTK_TETRA ? sizes[type] : 0;
+    return size > 0 && cells.GetCell(cell, scratch).Size == size ? size : 0;
+  };
+  ResizeInHugePages(dimensions, cells.GetNumberOfCells());
+  std::atomic<bool> plain{ true };
+  ForCellBlocks(cells,
+    [&](vtkIdType, vtkIdType begin, vtkIdType end)
+    {
+      std::vector<vtkIdType> scratch;
+      for (vtkIdType i = begin; plain && i < end; ++i)
+      {
+        const int size = getSize(i, scratch);
+        dimensions[i] = static_cast<unsigned char>(size - 1);
+        if (size == 0)
+        {
+          plain = false;
+        }
+      }
+    });
+  if (!plain)
+  {
+    dimensions.clear();
+  }
+  return plain;
+}
+
 void SplitCells(const CellReader& cells, vtkPointSet* input, const CheckedCells& checked,
   const QuadDiagonals& diagonals, SimplicesOfCells& output)
 {
@@ -559,7 +595,8 @@ SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds
   SimplicesOfCells output;
   output.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   const CellReader cells(input);
-  if (ReadPlainSimplices(input, cells, output.Simplices.Dimensions))
+  const CheckedCells checked = CheckCells(input, cells);
+  if (ReadPlainSimplices(cells, checked, output.Simplices.Dimensions))
   {
     // Each cell is one simplex, so that its ids are used as they are.
     output.InPlace = ids == PlainIds::InPlace ? cells.FindAllIds() : nullptr;
@@ -569,7 +606,6 @@ SimplicesOfCells CellsToSimplices(vtkPointSet* input, const vtkIdType* globalIds
     }
     return output;
   }
-  const CheckedCells checked = CheckCells(input, cells);
   output.Warnings = DescribePassedOver(cells, checked);
   QuadDiagonals diagonals(PointOrder{ globalIds });
   if (checked.HasQuads)

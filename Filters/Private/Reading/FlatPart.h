@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_FlatPart_h
 #define SubdivisionObjects_FlatPart_h
 
+#include "Core/Memory/Vectors.h"
 #include "Core/Solids/Location/Box.h"
-#include "Core/Solids/Location/Vectors.h"
 
 #include <vector>
 

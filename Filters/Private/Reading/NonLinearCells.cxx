@@ -115,12 +115,28 @@ void Add(CellPieces& table, int type, std::initializer_list<int> nodes)
 // ------------------------------------------------------------------------------------------------
 // Full lattices: node(i, j, k) is the node at a place of the lattice.
 
+/// The corners of a hexahedron; of a quad the first four, of a line the first two.
+constexpr int CornersOfBox[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
+  { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
+
+/// Lines, quads or hexahedra.
 template <typename Node>
-void CutCurve(int order, const Node& node, CellPieces& table)
+void CutBox(int type, const std::array<int, 3>& orders, const Node& node, CellPieces& table)
 {
-  for (int i = 0; i < order; ++i)
+  CellPiece piece;
+  piece.Type = type;
+  piece.Size = 1 << table.Dimension;
+  for (int k = 0; k < (table.Dimension > 2 ? orders[2] : 1); ++k)
   {
-    Add(table, VTK_LINE, { node(i, 0, 0), node(i + 1, 0, 0) });
+    for (int j = 0; j < (table.Dimension > 1 ? orders[1] : 1); ++j)
+    {
+      for (int i = 0; i < orders[0]; ++i)
+      {
+        std::transform(CornersOfBox, CornersOfBox + piece.Size, piece.Nodes.begin(),
+          [&](const int(&at)[3]) { return node(i + at[0], j + at[1], k + at[2]); });
+        table.Pieces.push_back(piece);
+      }
+    }
   }
 }
 
@@ -136,19 +152,6 @@ void CutTriangle(int order, const Node& node, CellPieces& table)
       {
         Add(table, VTK_TRIANGLE, { node(i + 1, j, 0), node(i + 1, j + 1, 0), node(i, j + 1, 0) });
       }
-    }
-  }
-}
-
-template <typename Node>
-void CutQuad(const std::array<int, 3>& orders, const Node& node, CellPieces& table)
-{
-  for (int j = 0; j < orders[1]; ++j)
-  {
-    for (int i = 0; i < orders[0]; ++i)
-    {
-      Add(table, VTK_QUAD,
-        { node(i, j, 0), node(i + 1, j, 0), node(i + 1, j + 1, 0), node(i, j + 1, 0) });
     }
   }
 }
@@ -184,24 +187,6 @@ void CutTetra(int order, const Node& node, CellPieces& table)
 }
 
 template <typename Node>
-void CutHexahedron(const std::array<int, 3>& orders, const Node& node, CellPieces& table)
-{
-  for (int k = 0; k < orders[2]; ++k)
-  {
-    for (int j = 0; j < orders[1]; ++j)
-    {
-      for (int i = 0; i < orders[0]; ++i)
-      {
-        Add(table, VTK_HEXAHEDRON,
-          { node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k),
-            node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1),
-            node(i, j + 1, k + 1) });
-      }
-    }
-  }
-}
-
-template <typename Node>
 void CutWedge(const std::array<int, 3>& orders, const Node& node, CellPieces& table)
 {
   for (int k = 0; k < orders[2]; ++k)
@@ -226,17 +211,9 @@ CellPieces CutLattice(int cornerType, const std::array<int, 3>& orders, const No
   CellPieces table;
   switch (cornerType)
   {
-    case VTK_LINE:
-      table.Dimension = 1;
-      CutCurve(orders[0], node, table);
-      break;
     case VTK_TRIANGLE:
       table.Dimension = 2;
       CutTriangle(orders[0], node, table);
-      break;
-    case VTK_QUAD:
-      table.Dimension = 2;
-      CutQuad(orders, node, table);
       break;
     case VTK_TETRA:
       table.Dimension = 3;
@@ -247,8 +224,8 @@ CellPieces CutLattice(int cornerType, const std::array<int, 3>& orders, const No
       CutWedge(orders, node, table);
       break;
     default:
-      table.Dimension = 3;
-      CutHexahedron(orders, node, table);
+      table.Dimension = cornerType == VTK_LINE ? 1 : cornerType == VTK_QUAD ? 2 : 3;
+      CutBox(cornerType, orders, node, table);
       break;
   }
   return table;
@@ -387,12 +364,10 @@ void CutFace(const QuadraticCell& cell, const std::vector<int>& corners, CellPie
 std::map<std::array<int, 3>, int> FindPlaces(
   const QuadraticCell& cell, const std::array<int, 3>& orders)
 {
-  static const int corners[8][3] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 },
-    { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   static const int cornersOfTriangles[6] = { 0, 1, 3, 4, 5, 7 }; // the half of a hexahedron
   const bool isBox = cell.CornerType == VTK_HEXAHEDRON || cell.CornerType == VTK_QUAD;
   const auto place = [&](int corner)
-  { return corners[isBox ? corner : cornersOfTriangles[corner]]; };
+  { return CornersOfBox[isBox ? corner : cornersOfTriangles[corner]]; };
   std::map<std::array<int, 3>, int> places;
   for (int node = 0; node < cell.Corners + static_cast<int>(cell.Nodes.size()); ++node)
   {

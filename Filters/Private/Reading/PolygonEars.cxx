@@ -2,6 +2,7 @@
 #include "Private/Reading/PolygonEars.h"
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Memory/Vectors.h"
 
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -17,17 +18,9 @@ namespace subdivision
 namespace
 {
 
-using Vector3 = std::array<double, 3>;
-
-Vector3 Cross(const Vector3& a, const Vector3& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using Vector3 = vectors::Vector;
+using vectors::Cross;
+using vectors::Dot;
 
 void Scale(Vector3& a, double factor)
 {

@@ -31,7 +31,6 @@
 #include "vtkPoints.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStructuredGrid.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkUniformGridAMR.h"
 #include "vtkUniformGridAMRDataIterator.h"
 #include "vtkUnsignedCharArray.h"
@@ -93,66 +92,21 @@ vtkSmartPointer<vtkPoints> MakePoints(vtkDataSet* data)
   return points;
 }
 
-/// The cells of a structured data set: boxes of 2 to the power of their dimension corners. Voxels
-/// and pixels list their corners row by row, hexahedra and quads around their faces.
-template <typename Array>
-vtkSmartPointer<vtkCellArray> MakeBoxes(const int* dimensions, bool aligned, int& axes)
+/// The cells of a structured data set.
+vtkSmartPointer<vtkCellArray> MakeBoxes(vtkDataSet* data)
 {
-  vtkIdType cellsAlong[3] = {};
-  vtkIdType steps[3] = {};
-  vtkIdType points = 1;
-  vtkIdType cells = 1;
-  axes = 0;
-  for (int a = 0; a < 3; ++a)
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  if (data->GetNumberOfPoints() < std::numeric_limits<int>::max() / 8)
   {
-    if (dimensions[a] > 1)
-    {
-      cellsAlong[axes] = dimensions[a] - 1;
-      steps[axes++] = points;
-      cells *= dimensions[a] - 1;
-    }
-    points *= dimensions[a];
+    cells->Use32BitStorage();
   }
-  cells = points == 0 ? 0 : cells;
-  const int corners = 1 << axes;
-  vtkIdType offsets[8] = {};
-  for (int c = 0; c < corners; ++c)
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType c : InTurn(data->GetNumberOfCells()))
   {
-    for (int a = 0; a < axes; ++a)
-    {
-      offsets[c] += (c >> a & 1) * steps[a];
-    }
+    data->GetCellPoints(c, ids);
+    cells->InsertNextCell(ids);
   }
-  for (int c = 0; !aligned && c + 3 < corners; c += 4)
-  {
-    std::swap(offsets[c + 2], offsets[c + 3]);
-  }
-  vtkNew<Array> ends;
-  vtkNew<Array> ids;
-  ends->SetNumberOfValues(cells + 1);
-  ids->SetNumberOfValues(cells * corners);
-  using Value = typename Array::ValueType;
-  Value* end = ends->GetPointer(0);
-  Value* id = ids->GetPointer(0);
-  ForEach(cells + 1, [&](vtkIdType i) { end[i] = static_cast<Value>(i * corners); });
-  ForEach(cells,
-    [&](vtkIdType i)
-    {
-      vtkIdType first = 0;
-      vtkIdType rest = i;
-      for (int a = 0; a < axes; ++a)
-      {
-        first += rest % cellsAlong[a] * steps[a];
-        rest /= cellsAlong[a];
-      }
-      for (int c = 0; c < corners; ++c)
-      {
-        id[i * corners + c] = static_cast<Value>(first + offsets[c]);
-      }
-    });
-  auto array = vtkSmartPointer<vtkCellArray>::New();
-  array->SetData(ends, ids);
-  return array;
+  return cells;
 }
 
 /// A mesh whose cells at hidden points are hidden: the mesh itself, if there are no such points.
@@ -272,12 +226,9 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadStructured(vtkDataSet* data)
     static const int boxes[2][4] = { { VTK_VERTEX, VTK_LINE, VTK_QUAD, VTK_HEXAHEDRON },
       { VTK_VERTEX, VTK_LINE, VTK_PIXEL, VTK_VOXEL } };
     auto* structured = vtkStructuredGrid::SafeDownCast(data);
-    const bool isSmall = data->GetNumberOfPoints() < std::numeric_limits<int>::max() / 8;
-    int axes = 0;
-    const auto cells = isSmall ? MakeBoxes<vtkTypeInt32Array>(dimensions, !structured, axes)
-                               : MakeBoxes<vtkIdTypeArray>(dimensions, !structured, axes);
+    const auto axes = std::count_if(dimensions, dimensions + 3, [](int size) { return size > 1; });
     grid->SetPoints(structured ? structured->GetPoints() : MakePoints(data).Get());
-    grid->SetCells(boxes[structured ? 0 : 1][axes], cells);
+    grid->SetCells(boxes[structured ? 0 : 1][axes], MakeBoxes(data));
   }
   else
   {

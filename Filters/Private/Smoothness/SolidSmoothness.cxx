@@ -139,17 +139,10 @@ private:
     {
       ++this->Triangles[e];
     }
-    this->Tets.Offsets = Buffer<vtkIdType>(vertices + 1, 0);
-    for (const Id v : InTurn(this->Complex.TetVertices))
-    {
-      ++this->Tets.Offsets[v];
-    }
-    CountsToOffsets(this->Tets.Offsets);
-    this->Tets.Items = Buffer<vtkIdType>(this->Complex.TetVertices.size());
-    Buffer<vtkIdType> next(vertices);
-    std::copy_n(this->Tets.Offsets.begin(), vertices, next.begin());
-    ForEachInTurn(this->Complex.TetVertices.size(),
-      [&](vtkIdType i) { this->Tets.Items[next[this->Complex.TetVertices[i]]++] = i / 4; });
+    const auto& corners = this->Complex.TetVertices;
+    this->Tets = ListByRow<vtkIdType>(
+      vertices, corners.size(), [&](vtkIdType i) { return corners[i]; },
+      [](vtkIdType i) { return i / 4; });
   }
 
   bool ExamineVertices()

@@ -2,6 +2,7 @@
 #include "Private/Values/MaterialColours.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Partitions/Partners.h"
@@ -104,8 +105,7 @@ public:
         }
       }
     }
-    std::sort(this->More.begin(), this->More.end());
-    this->More.erase(std::unique(this->More.begin(), this->More.end()), this->More.end());
+    SortDistinct(this->More);
   }
 
   void Add(vtkIdType point, std::vector<int>& materials) const
@@ -135,11 +135,6 @@ Meetings FindMeetings(
 {
   const MaterialsAtPoints known(pieces, materialOf, others);
   Meetings meetings;
-  const auto makeDistinct = [&meetings]
-  {
-    std::sort(meetings.begin(), meetings.end());
-    meetings.erase(std::unique(meetings.begin(), meetings.end()), meetings.end());
-  };
   std::size_t most = std::size_t(1) << 20; // simplices find the same pairs again and again
   std::vector<int> here;
   for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
@@ -163,11 +158,11 @@ Meetings FindMeetings(
     }
     if (meetings.size() > most)
     {
-      makeDistinct();
+      SortDistinct(meetings);
       most = std::max(most, 2 * meetings.size());
     }
   }
-  makeDistinct();
+  SortDistinct(meetings);
   return meetings;
 }
 
@@ -222,8 +217,7 @@ public:
   }
   void Colour()
   {
-    std::sort(this->Keys.begin(), this->Keys.end());
-    this->Keys.erase(std::unique(this->Keys.begin(), this->Keys.end()), this->Keys.end());
+    SortDistinct(this->Keys);
     Meetings meetings;
     for (const auto& [a, b] : InTurn(this->Pairs))
     {

@@ -2,6 +2,7 @@
 #include "Private/Values/MaterialFields.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 #include "Private/ArrayNames.h"
 #include "Private/Values/MaterialColours.h"
 #include "Private/Values/PointCopies.h"
@@ -266,8 +267,7 @@ private:
     std::vector<std::pair<vtkIdType, vtkIdType>> seen; // a cell has a point in several pieces
     this->ForEachCorner(
       [&](vtkIdType place, vtkIdType, int, vtkIdType cell) { seen.emplace_back(cell, place); });
-    std::sort(seen.begin(), seen.end());
-    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    SortDistinct(seen);
     vtkDataArray* colours = this->Mesh->GetCellData()->GetArray(ColourName);
     auto add = [&](vtkDataArray* field, vtkIdType place, vtkIdType cell)
     {

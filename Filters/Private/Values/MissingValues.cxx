@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <mutex>
 #include <utility>
 
 namespace subdivision
@@ -92,38 +91,20 @@ struct Missing
   vtkIdType First = 0;
 };
 
-template <typename Value>
-Missing CountMissing(const Value* values, vtkIdType tuples, int components)
+Missing CountMissing(vtkDataArray* array)
 {
-  Missing all{ 0, tuples };
-  std::mutex mutex;
-  ForRanges(tuples,
-    [&](vtkIdType begin, vtkIdType end)
+  Missing found;
+  for (const vtkIdType i : InTurn(array->GetNumberOfTuples()))
+  {
+    bool isThere = true;
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
-      Missing here{ 0, tuples };
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        Value zero = 0; // not a number otherwise
-        for (int c = 0; c < components; ++c)
-        {
-          zero += values[i * components + c] * 0;
-        }
-        here.First = here.Count == 0 && zero != 0 ? i : here.First;
-        here.Count += zero != 0 ? 1 : 0;
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      all = { all.Count + here.Count, std::min(all.First, here.First) };
-    });
-  return all;
-}
-
-Missing CountMissing(vtkDataArray* given)
-{
-  const vtkSmartPointer<vtkDataArray> array = Contiguous(given);
-  const auto count = [&](const auto* values)
-  { return CountMissing(values, array->GetNumberOfTuples(), array->GetNumberOfComponents()); };
-  return array->GetDataType() == VTK_FLOAT ? count(static_cast<float*>(array->GetVoidPointer(0)))
-                                           : count(static_cast<double*>(array->GetVoidPointer(0)));
+      isThere = isThere && std::isfinite(array->GetComponent(i, c));
+    }
+    found.First = found.Count == 0 && !isThere ? i : found.First;
+    found.Count += isThere ? 0 : 1;
+  }
+  return found;
 }
 
 }

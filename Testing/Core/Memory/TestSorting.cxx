@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// StableSort, SortDistinct and SortByKey: the order of std::stable_sort, for all sizes around those
-// of blocks.
+// StableSort and SortDistinct: the order of std::stable_sort, for all sizes around those of blocks.
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/Sorting.h"
 
@@ -50,38 +49,4 @@ TEST(StableSort, SortsBuffersAndKeepsOneOfEqualValues)
   expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
   subdivision::SortDistinct(values);
   EXPECT_EQ(values, expected);
-}
-
-TEST(SortByKey, IsAStableSort)
-{
-  std::mt19937 chance(5);
-  constexpr int block = 1 << 14;
-  for (const int size : { 0, 1, 100, block - 1, block, block + 1, 5 * block + 7 })
-  {
-    for (const int keys : { 1, 7, 4097, 65536 })
-    {
-      std::vector<int> key;
-      std::vector<int> expected;
-      for (int i = 0; i < size; ++i)
-      {
-        key.push_back(static_cast<int>(chance() % static_cast<unsigned int>(keys)));
-        expected.push_back(i);
-      }
-      std::stable_sort(
-        expected.begin(), expected.end(), [&](int a, int b) { return key[a] < key[b]; });
-      subdivision::Buffer<int> order;
-      std::vector<int> starts;
-      subdivision::SortByKey(size, keys, [&](int i) { return key[i]; }, order, starts);
-      EXPECT_EQ(std::vector<int>(order.begin(), order.end()), expected);
-      ASSERT_EQ(starts.size(), static_cast<std::size_t>(keys) + 1);
-      EXPECT_EQ(starts.back(), size);
-      for (int k = 0; k < keys; ++k)
-      {
-        for (int i = starts[k]; i < starts[k + 1]; ++i)
-        {
-          ASSERT_EQ(key[order[i]], k);
-        }
-      }
-    }
-  }
 }

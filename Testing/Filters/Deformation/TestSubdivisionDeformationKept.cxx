@@ -49,7 +49,7 @@ struct Embedding
     const double* moved = byComposed ? nullptr : this->Rest.MovePoints(control);
     const Grid result = DeepCopy(this->Cloud);
     result->GetPoints()->SetData(subdivision::MoveEmbeddedPoints(*this->Points,
-      static_cast<const double*>(control->GetVoidPointer(0)), moved, VTK_DOUBLE, this->Outputs));
+      static_cast<const double*>(control->GetVoidPointer(0)), moved, VTK_DOUBLE));
     return GetLargestError(result, this->Cloud, map);
   }
 
@@ -58,7 +58,6 @@ struct Embedding
   subdivision::DeformationOptions Options;
   subdivision::RestMesh Rest;
   std::unique_ptr<subdivision::EmbeddedPoints> Points;
-  subdivision::ReturnedMemory Outputs;
 };
 
 constexpr vtkIdType BlockOfPrint = subdivision::FingerprintHashes::Block; // words

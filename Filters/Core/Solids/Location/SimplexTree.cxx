@@ -108,6 +108,20 @@ double FindNearestPlace(const double* const* corners, int count, const double x[
   return distance2;
 }
 
+/// Makes the box of a simplex a little wider, for the rounding of distances and weights.
+Box Widen(Box box)
+{
+  const double most =
+    std::max({ box.High[0] - box.Low[0], box.High[1] - box.Low[1], box.High[2] - box.Low[2] });
+  for (int c = 0; c < 3; ++c)
+  {
+    const double more = 1e-3 * (box.High[c] - box.Low[c]) + 1e-10 * most;
+    box.Low[c] -= more;
+    box.High[c] += more;
+  }
+  return box;
+}
+
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -162,7 +176,6 @@ void SimplexTree::Sort(vtkIdType size)
     });
 }
 
-/// Boxes are a little wider than their cells, for the rounding of distances.
 void SimplexTree::MakeBoxes()
 {
   vtkIdType size = this->Order.size();
@@ -179,14 +192,7 @@ void SimplexTree::MakeBoxes()
         Box all;
         for (vtkIdType i = node * Width; i < end; ++i)
         {
-          Box box = children ? (*children)[i] : this->GetBox(this->Order[i]);
-          for (int c = 0; c < 3 && !children; ++c)
-          {
-            const double more = 1e-3 * (box.High[c] - box.Low[c]);
-            box.Low[c] -= more;
-            box.High[c] += more;
-          }
-          all.Add(box);
+          all.Add(children ? (*children)[i] : Widen(this->GetBox(this->Order[i])));
         }
         boxes[node] = all;
       });
@@ -387,13 +393,37 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
   }
 }
 
-double SimplexTree::FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const
+bool SimplexTree::FindHolding(
+  const double x[3], const HoldTolerances& tolerances, PlaceInSimplex& place) const
 {
-  const double* corners[4];
-  this->GetPoints(simplex, corners);
   place = PlaceInSimplex();
-  place.Simplex = simplex;
-  return FindNearestPlace(corners, this->Corners, x, place.Weights);
+  bool isTight = false;
+  const auto look = [&](vtkIdType tet)
+  {
+    const bool isFirst = place.Simplex < 0 || tet < place.Simplex;
+    const double* corners[4];
+    this->GetPoints(tet, corners);
+    if ((isTight && !isFirst) || !Widen(this->GetBox(tet)).Holds(x))
+    {
+      return;
+    }
+    const TetFrame frame(corners);
+    const std::array<double, 4> weights = frame.GetWeights(x);
+    const double least = *std::min_element(weights.begin(), weights.end());
+    if (!(least >= -tolerances.Loose) || frame.IsFlat())
+    {
+      return;
+    }
+    const bool isBetter = !isTight && least >= -tolerances.Tight;
+    if (isBetter || (isFirst && (!isTight || least >= -tolerances.Tight)))
+    {
+      isTight = isTight || isBetter;
+      place.Simplex = tet;
+      std::copy(weights.begin(), weights.end(), place.Weights);
+    }
+  };
+  this->ForEachWhere([x](const Box& box) { return box.Holds(x); }, look);
+  return place.Simplex >= 0;
 }
 
 bool SimplexTree::FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SimplexTree.h
- * Which simplex is nearest to a point: a tree of boxes over simplices in the order of a
- * space-filling curve.
+ * Which simplex holds a point, or is nearest to it: a tree of boxes over simplices in the order of
+ * a space-filling curve.
  *
  * Several threads may build and ask the tree; the answers do not depend on their number. If several
- * simplices are equally near, the answer is the one with the smallest index.
+ * simplices hold the point, or are equally near, the answer is the one with the smallest index.
  */
 #ifndef SubdivisionObjects_SimplexTree_h
 #define SubdivisionObjects_SimplexTree_h
@@ -25,6 +25,14 @@ struct PlaceInSimplex
   double Weights[4] = { 0., 0., 0., 0. };
 };
 
+/// Weights up to these below 0 are taken for 0. A point that no tetrahedron holds by the first is
+/// searched by the second, which is not smaller. They are up to 1e-4.
+struct HoldTolerances
+{
+  double Tight;
+  double Loose;
+};
+
 class SimplexTree
 {
 public:
@@ -37,10 +45,11 @@ public:
   vtkIdType GetNumberOfSimplices() const { return this->Order.size(); }
   const int* GetCorners(vtkIdType simplex) const { return this->Ids + simplex * this->Corners; }
 
+  /// The first of the tetrahedra that hold a point, and the place in it. False: there is none.
+  bool FindHolding(
+    const double x[3], const HoldTolerances& tolerances, PlaceInSimplex& place) const;
   /// The first of the nearest simplices, the nearest place in it and the squared distance.
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
-  /// The nearest place in one simplex. Returns the squared distance.
-  double FindNearestIn(vtkIdType simplex, const double x[3], PlaceInSimplex& place) const;
   /// Calls visit(simplex) for all simplices in boxes for which meets(box) holds, and for others
   /// beside them.
   template <typename Meets, typename Visit>

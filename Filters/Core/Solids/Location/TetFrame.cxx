@@ -37,7 +37,24 @@ bool TetFrame::IsFlat(double least) const
 
 std::array<double, 4> TetFrame::GetWeights(const double x[3]) const
 {
-  return CompleteWeights(this->FindWeights(Subtract(x, this->First)).data());
+  Vector rest = Subtract(x, this->First);
+  Vector found = { 0., 0., 0. };
+  // The second round takes away the rest that rounding leaves in thin cells.
+  for (int round = 0; round < 2; ++round)
+  {
+    Vector left = rest;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double step = Dot(rest, this->Normals[i]) / this->Volume;
+      found[i] += step;
+      for (int c = 0; c < 3; ++c)
+      {
+        left[c] -= step * this->Edges[i][c];
+      }
+    }
+    rest = left;
+  }
+  return CompleteWeights(found.data());
 }
 
 bool FindWeightsInTet(const double* const corners[4], const double x[3], double weights[4])

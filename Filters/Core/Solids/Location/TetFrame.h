@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_TetFrame_h
 #define SubdivisionObjects_TetFrame_h
 
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 
 #include <array>
 
@@ -23,28 +23,6 @@ struct TetFrame
   bool IsFlat(double least = 1e-14) const;
   /// The weights of the corners that give x, if the tetrahedron is not flat.
   std::array<double, 4> GetWeights(const double x[3]) const;
-  /// The weights of corners 1 to 3, from x less the first corner. Compilers make loops of it in
-  /// which several points are found at a time.
-  vectors::Vector FindWeights(vectors::Vector rest) const
-  {
-    vectors::Vector found = { 0., 0., 0. };
-    // The second round takes away the rest that rounding leaves in thin cells.
-    for (int round = 0; round < 2; ++round)
-    {
-      vectors::Vector left = rest;
-      for (int i = 0; i < 3; ++i)
-      {
-        const double step = vectors::Dot(rest, this->Normals[i]) / this->Volume;
-        found[i] += step;
-        for (int c = 0; c < 3; ++c)
-        {
-          left[c] -= step * this->Edges[i][c];
-        }
-      }
-      rest = left;
-    }
-    return found;
-  }
 
   const double* First; ///< the first corner
   vectors::Vector Edges[3];

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The search for many points against a look at every tetrahedron.
-#include "Core/Solids/Location/TetSearch.h"
+// Which tetrahedra hold points, against a look at every tetrahedron.
+#include "Core/Solids/Location/SimplexTree.h"
 
-#include "Core/Operators/CornerRows.h"
-#include "Core/Solids/Location/PointGroups.h"
 #include "Core/Solids/Location/TetFrame.h"
 
 #include <gtest/gtest.h>
@@ -18,11 +16,10 @@
 namespace
 {
 
-using subdivision::Box;
 using subdivision::Buffer;
 using subdivision::HoldTolerances;
-using subdivision::PointGroups;
-using subdivision::TetSearch;
+using subdivision::PlaceInSimplex;
+using subdivision::SimplexTree;
 
 using Points = std::vector<std::array<double, 3>>;
 
@@ -95,12 +92,8 @@ int Compare(const Mesh& mesh, const Points& points, const HoldTolerances& tolera
   {
     std::copy(mesh.Tets[i].begin(), mesh.Tets[i].end(), corners.data() + 4 * i);
   }
-  const TetSearch search(mesh.Corners.empty() ? nullptr : mesh.Corners[0].data(), corners);
-  EXPECT_EQ(search.GetNumberOfTets(), static_cast<int>(mesh.Tets.size()));
-  std::vector<int> tets(points.size(), -7);
-  std::vector<double> weights(3 * points.size(), 0.);
-  search.Find(points.empty() ? nullptr : points[0].data(), static_cast<int>(points.size()),
-    tolerances, tets.data(), weights.data());
+  const SimplexTree tree(mesh.Corners.empty() ? nullptr : mesh.Corners[0].data(), 4, corners);
+  EXPECT_EQ(tree.GetNumberOfSimplices(), static_cast<vtkIdType>(mesh.Tets.size()));
   int inside = 0;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
@@ -123,16 +116,17 @@ int Compare(const Mesh& mesh, const Points& points, const HoldTolerances& tolera
         }
       }
     }
-    if (expected != tets[p])
+    PlaceInSimplex found;
+    EXPECT_EQ(tree.FindHolding(points[p].data(), tolerances, found), expected >= 0);
+    if (expected != found.Simplex)
     {
-      ADD_FAILURE() << "point " << p << " is in " << expected << ", not " << tets[p];
+      ADD_FAILURE() << "point " << p << " is in " << expected << ", not " << found.Simplex;
       return inside;
     }
     if (expected >= 0)
     {
       ++inside;
-      const auto found = subdivision::CompleteWeights(weights.data() + 3 * p);
-      EXPECT_TRUE(std::equal(found.begin(), found.end(), wanted)) << "point " << p;
+      EXPECT_TRUE(std::equal(found.Weights, found.Weights + 4, wanted)) << "point " << p;
     }
   }
   return inside;
@@ -152,7 +146,7 @@ Points MakeRandomPoints(int size, double width, unsigned seed)
 
 }
 
-TEST(CoreTetSearch, FindsTheFirstTetrahedronThatHoldsAPoint)
+TEST(CoreHoldingTets, FindsTheFirstTetrahedronThatHoldsAPoint)
 {
   for (int size : { 1, 2, 8, 9, 65, 600 })
   {
@@ -164,7 +158,7 @@ TEST(CoreTetSearch, FindsTheFirstTetrahedronThatHoldsAPoint)
   }
 }
 
-TEST(CoreTetSearch, ThinTetrahedra)
+TEST(CoreHoldingTets, ThinTetrahedra)
 {
   for (double flatness : { 1e-3, 1e-6, 1e-9, 1e-11 })
   {
@@ -178,7 +172,7 @@ TEST(CoreTetSearch, ThinTetrahedra)
   }
 }
 
-TEST(CoreTetSearch, SharedFacesAndTolerances)
+TEST(CoreHoldingTets, SharedFacesAndTolerances)
 {
   // Points on faces, edges and corners of many tetrahedra, and a little beside the boundary.
   const Mesh mesh = MakeLattice(6, 0.);
@@ -198,7 +192,7 @@ TEST(CoreTetSearch, SharedFacesAndTolerances)
   EXPECT_GT(loose, tight);
 }
 
-TEST(CoreTetSearch, PointsInClustersLinesAndPlanes)
+TEST(CoreHoldingTets, PointsInClustersLinesAndPlanes)
 {
   const Mesh mesh = MakeLattice(4, 0.3);
   for (const char* what : { "cluster", "line", "plane", "equal", "far" })
@@ -224,10 +218,9 @@ TEST(CoreTetSearch, PointsInClustersLinesAndPlanes)
   }
 }
 
-TEST(CoreTetSearch, ManyPointsInEachTetrahedronAnywhere)
+TEST(CoreHoldingTets, ManyPointsInEachTetrahedronAnywhere)
 {
-  // What is left out in rows of bins and in single precision, near zero and far from it, in meshes
-  // that are small, large, or far longer than wide.
+  // Near zero and far from it, in meshes that are small, large, or far longer than wide.
   const double shifts[][3] = { { 0., 0., 0. }, { 1e6, -1e3, 3. }, { -1e9, 0., 1e-3 } };
   const double scales[][3] = { { 1., 1., 1. }, { 1e-100, 1e-100, 1e-100 }, { 1e90, 1e90, 1e90 },
     { 1e4, 1., 1e-4 } };
@@ -260,7 +253,7 @@ TEST(CoreTetSearch, ManyPointsInEachTetrahedronAnywhere)
   }
 }
 
-TEST(CoreTetSearch, PointsNextToZero)
+TEST(CoreHoldingTets, PointsNextToZero)
 {
   // Of distances that have no inverse.
   Mesh mesh = MakeLattice(2, 0.);
@@ -280,7 +273,7 @@ TEST(CoreTetSearch, PointsNextToZero)
     }
   }
   EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 3000);
-  // The smallest number apart: bins that divide it would be one for each point along each axis.
+  // The smallest number apart.
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     for (std::size_t c = 0; c < 3; ++c)
@@ -291,7 +284,7 @@ TEST(CoreTetSearch, PointsNextToZero)
   EXPECT_EQ(Compare(mesh, points, { 1e-10, 1e-10 }), 3000);
 }
 
-TEST(CoreTetSearch, PointsInTheBoxOfAFarCell)
+TEST(CoreHoldingTets, PointsInTheBoxOfAFarCell)
 {
   // A flat cell makes the box so wide that halves of it have no square.
   Mesh mesh = MakeLattice(2, 0.);
@@ -314,7 +307,7 @@ TEST(CoreTetSearch, PointsInTheBoxOfAFarCell)
   }
 }
 
-TEST(CoreTetSearch, FlatCellsAndNoCells)
+TEST(CoreHoldingTets, FlatCellsAndNoCells)
 {
   const Points points = { { 0.3, 0.2, 0. }, { 0., 0., 0. } };
   EXPECT_EQ(Compare({}, points, { 1e-10, 1e-10 }), 0);
@@ -322,56 +315,4 @@ TEST(CoreTetSearch, FlatCellsAndNoCells)
   const Mesh flat = { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
     { { 0, 1, 2, 3 }, { 0, 0, 0, 0 } } };
   EXPECT_EQ(Compare(flat, points, { 1e-10, 1e-10 }), 0);
-}
-
-TEST(CorePointGroups, FillTheirBoxes)
-{
-  // Groups of points that lie evenly are halves, quarters, ... of the box: all of the boxes
-  // together are not larger, and no group is small.
-  const Points points = MakeRandomPoints(100000, 1., 9);
-  Box box;
-  box.Add(std::array<double, 3>{ -1., -1., -1. }.data());
-  box.Add(std::array<double, 3>{ 1., 1., 1. }.data());
-  const PointGroups groups(points[0].data(), static_cast<int>(points.size()), box, 1000);
-  double volume = 0.;
-  for (int g = 0; g < groups.GetNumberOfGroups(); ++g)
-  {
-    Box ofGroup;
-    for (int i = groups.Starts[g]; i < groups.Starts[g + 1]; ++i)
-    {
-      ofGroup.Add(points[static_cast<std::size_t>(groups.Order[i])].data());
-    }
-    volume += (ofGroup.High[0] - ofGroup.Low[0]) * (ofGroup.High[1] - ofGroup.Low[1]) *
-      (ofGroup.High[2] - ofGroup.Low[2]);
-  }
-  EXPECT_LT(volume, 8.);
-  EXPECT_LE(groups.GetNumberOfGroups(), 300);
-}
-
-TEST(CorePointGroups, HaveEachPointInTheBoxOnce)
-{
-  Points points = MakeRandomPoints(40000, 1., 2);
-  for (std::size_t i = 0; i < points.size(); i += 3) // a cluster that is larger than a group
-  {
-    points[i] = { 0.1 + 1e-9 * points[i][0], 0.1, 0.1 };
-  }
-  points[4][1] = std::numeric_limits<double>::quiet_NaN();
-  Box box;
-  box.Add(std::array<double, 3>{ -0.5, -1., -1. }.data());
-  box.Add(std::array<double, 3>{ 1., 1., 1. }.data());
-  const PointGroups groups(points[0].data(), static_cast<int>(points.size()), box, 500);
-  std::vector<int> seen(points.size(), 0);
-  int large = 0;
-  for (int g = 0; g < groups.GetNumberOfGroups(); ++g)
-  {
-    large += groups.Starts[g + 1] - groups.Starts[g] > 500;
-  }
-  EXPECT_EQ(large, 1); // the cluster, which is practically one point
-  for (vtkIdType i = 0; i < groups.Order.size(); ++i)
-  {
-    const auto point = static_cast<std::size_t>(groups.Order[i]);
-    ++seen[point];
-    EXPECT_EQ(box.Holds(points[point].data()), i < groups.Starts.back());
-  }
-  EXPECT_EQ(seen, std::vector<int>(points.size(), 1));
 }
