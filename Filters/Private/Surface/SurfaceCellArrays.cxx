@@ -9,7 +9,6 @@
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -225,52 +224,6 @@ private:
   std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
 };
 
-/// Adds copy(array) for each array of `input` that can be used to `to`. `sources()`: for each cell
-/// of the output the cell of the input from which it comes.
-template <typename Sources, typename Copy>
-void CopyArrays(vtkPolyData* input, bool originals, const RunOptions& options,
-  const Sources& sources, const Copy& copy, vtkCellData* to)
-{
-  vtkCellData* from = input->GetCellData();
-  const bool hasGlobalIds =
-    from->GetGlobalIds() && AreAllCells(sources(), input->GetNumberOfCells());
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if ((array != from->GetGlobalIds() || hasGlobalIds || options.GenerateOriginalIds) &&
-      array != from->GetNormals() && // cells move
-      !(originals && name == OriginalCellIdsName) &&
-      HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
-    {
-      AddLike(from, i, copy(array), to);
-    }
-  }
-  if (!hasGlobalIds) // children have the ids of their cell
-  {
-    to->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  }
-}
-
-}
-
-void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
-  const RunOptions& options, vtkPolyData* output)
-{
-  vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
-  const Row<vtkIdType> row{ sources.begin(), sources.end() };
-  CopyArrays(
-    input, originals, options, [&] { return row; },
-    [&](vtkAbstractArray* array) { return Gather(array, row); }, to);
-  if (originals)
-  {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalCellIdsName);
-    ids->SetNumberOfTuples(sources.size());
-    std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
-    AddInstead(from, ids, to);
-  }
 }
 
 template <typename Id>
@@ -278,29 +231,32 @@ void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
   CarriedCells& carried, vtkPolyData* output)
 {
-  vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
-  const bool hasOriginals = goesOn && HasIds(from, OriginalCellIdsName, input->GetNumberOfCells());
-  const bool originals = options.GenerateOriginalIds && !hasOriginals;
+  CellArrayOptions arrays;
+  arrays.PointsMove = true;
+  arrays.OriginalIds = options.GenerateOriginalIds;
+  arrays.CarryOriginalIds =
+    goesOn && HasIds(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());
+  if (arrays.OriginalIds && !arrays.CarryOriginalIds)
+  {
+    arrays.Replaced.emplace_back(OriginalCellIdsName);
+  }
+  arrays.Warn = options.Warn;
   SurfaceSources<Id> sources(cells, steps, firstStep, carried);
   CarriedCells next;
   sources.FindChanged(input);
-  CopyArrays(
-    input, originals, options,
+  CopyCellArrays(
+    input, arrays, [&](vtkAbstractArray* array) { return sources.Copy(array, next); },
+    [&] { return sources.CopyIds(OriginalCellIdsName, next); },
     [&]
     {
       const Buffer<vtkIdType>& cellsOfInput = sources.GetSources();
-      return Row<vtkIdType>{ cellsOfInput.begin(), cellsOfInput.end() };
+      return AreAllCells({ cellsOfInput.begin(), cellsOfInput.end() }, input->GetNumberOfCells());
     },
-    [&](vtkAbstractArray* array) { return sources.Copy(array, next); }, to);
-  if (originals)
-  {
-    AddInstead(from, sources.CopyIds(OriginalCellIdsName, next), to);
-  }
+    output);
   carried = std::move(next);
   if (vtkDataArray* given = options.Features.Sharpness)
   {
-    vtkDataArray* sharpness = to->GetArray(given->GetName());
+    vtkDataArray* sharpness = output->GetCellData()->GetArray(given->GetName());
     const vtkIdType first = static_cast<vtkIdType>(cells.VertexCells.size());
     const vtkIdType lines = steps.GetLevel(steps.GetNumberOfSteps()).Lines.size();
     for (vtkIdType i = first; sharpness && i < first + lines; ++i)

@@ -14,11 +14,6 @@
 namespace subdivision
 {
 
-/// Copies every cell array of `input` to cells that come from `sources`, with `vtkOriginalCellIds`
-/// if `originals`.
-void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
-  const RunOptions& options, vtkPolyData* output);
-
 /// Copies every cell array of `input`, whose cells are level `firstStep`, to the cells of the last
 /// level. The sharpness of lines is reduced.
 /// `goesOn`: an earlier filter made the input, so that its original ids are kept. `carried`: before

@@ -6,10 +6,8 @@
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Surfaces/Scheme/ShadingDescent.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/Arrays/Arrays.h"
 
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
+#include "vtkDataArray.h"
 
 namespace subdivision
 {
@@ -40,8 +38,7 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned, const double* points,
   TangentPairs& tangents)
 {
-  // Never empty: that there are normals shows in the output of a rank without points, too.
-  tangents.Normals = Buffer<double>(std::max<vtkIdType>(1, 3 * tangents.Errors.size()));
+  tangents.Normals = Buffer<double>(3 * tangents.Errors.size());
   Buffer<unsigned char> missing(level.Mesh.NumberOfVertices);
   ForEach(tangents.Errors.size(),
     [&](vtkIdType i)
@@ -64,59 +61,6 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
     });
   FindShadingNormals(scheme, level, creases, turned, missing, points, tangents.Values[0].data(),
     tangents.Normals.data());
-}
-
-void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool twoTangents, vtkPolyData* input, vtkPolyData* output)
-{
-  const int type = points->GetDataType();
-  const vtkIdType size = sources.empty() ? tangents.Errors.size() : sources.size();
-  auto add = [&](const char* name, const auto& value)
-  {
-    const auto array = MakeArray(type, 3, size);
-    array->SetName(name);
-    auto fill = [&](auto* out)
-    {
-      using T = typename std::remove_pointer<decltype(out)>::type;
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          double result[3];
-          value(sources.empty() ? i : sources[i], result);
-          for (int c = 0; c < 3; ++c)
-          {
-            out[3 * i + c] = static_cast<T>(result[c]);
-          }
-        });
-    };
-    if (type == VTK_FLOAT)
-    {
-      fill(static_cast<float*>(array->GetVoidPointer(0)));
-    }
-    else
-    {
-      fill(static_cast<double*>(array->GetVoidPointer(0)));
-    }
-    AddInstead(input->GetPointData(), array, output->GetPointData());
-  };
-  if (!tangents.Normals.empty())
-  {
-    add(LimitNormalsName,
-      [&](vtkIdType i, double* n) { std::copy_n(tangents.Normals.data() + 3 * i, 3, n); });
-  }
-  for (int t = 0; t < 2 && twoTangents; ++t)
-  {
-    add(LimitTangentNames[t],
-      [&](vtkIdType i, double* out) { std::copy_n(tangents.Values[t].data() + 3 * i, 3, out); });
-  }
-}
-
-void MoveLimitFramesToEnd(vtkPolyData* output)
-{
-  for (const char* name : { LimitNormalsName, LimitTangentNames[0], LimitTangentNames[1] })
-  {
-    MoveToEnd(name, output->GetPointData());
-  }
 }
 
 template <typename Id>

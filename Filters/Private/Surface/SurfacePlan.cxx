@@ -417,15 +417,20 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   }
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
-  const TangentPairs tangents =
-    this->WantsFrames() ? this->FindFrames(*this->Joined, turned, points) : TangentPairs(0);
+  if (this->WantsFrames())
+  {
+    TangentPairs tangents = this->FindFrames(*this->Joined, turned, points);
+    for (Buffer<double>* values : { tangents.Values, tangents.Values + 1, &tangents.Normals })
+    {
+      Buffer<double> taken(values->empty() ? 0 : 3 * sources.size());
+      ForEach(taken.size(), [&](vtkIdType i) { taken[i] = (*values)[3 * sources[i / 3] + i % 3]; });
+      *values = std::move(taken);
+    }
+    this->SetFrames(tangents);
+  }
   if (this->Options.ProjectToLimit)
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
-  }
-  if (this->WantsFrames())
-  {
-    this->AddFrames(tangents, points, sources);
   }
   if (this->Options.Factors)
   {

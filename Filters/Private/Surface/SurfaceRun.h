@@ -222,11 +222,16 @@ private:
   {
     return FindLimitTangents(steps, turned, points, this->Options.GenerateLimitNormals);
   }
-  void AddFrames(
-    const TangentPairs& tangents, vtkDataArray* points, const Buffer<vtkIdType>& sources)
+  void SetFrames(const TangentPairs& tangents)
   {
-    AddLimitFrames(
-      tangents, points, sources, this->Options.GenerateTangents, this->Input, this->Output);
+    if (this->Options.GenerateLimitNormals)
+    {
+      this->Points->SetLimitNormals(tangents.Normals);
+    }
+    if (this->Options.GenerateTangents)
+    {
+      this->Points->SetLimitTangents(tangents.Values);
+    }
   }
   void WriteCells();
   void WriteStamp();

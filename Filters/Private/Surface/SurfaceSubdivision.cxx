@@ -113,18 +113,10 @@ bool SurfaceRun<Id>::Execute()
   }
   if (addFrames)
   {
-    this->AddFrames(tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+    this->SetFrames(tangents);
   }
   this->WriteCells(); // after the points: the last level but one takes no memory any more
   this->Points->Finish(this->Output);
-  if (this->WantsFrames())
-  {
-    MoveLimitFramesToEnd(this->Output);
-  }
-  if (this->Options.GenerateLimitNormals)
-  {
-    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
-  }
   return true;
 }
 
