@@ -5,6 +5,7 @@
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/KeptEntries.h"
 #include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
@@ -18,7 +19,7 @@
 vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 
 vtkMultiDimensionalSubdivision::vtkMultiDimensionalSubdivision()
-  : Cache(std::make_unique<subdivision::OperatorCache>())
+  : Cache(std::make_unique<subdivision::KeptEntries>())
   , Bezier(std::make_unique<subdivision::BezierRounds>())
 {
 }

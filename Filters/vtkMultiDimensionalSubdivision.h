@@ -102,7 +102,7 @@ class vtkPolyData;
 namespace subdivision
 {
 class BezierRounds;
-class OperatorCache;
+class KeptEntries;
 struct PlaceRequest;
 }
 
@@ -455,7 +455,7 @@ private:
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
 
-  std::unique_ptr<subdivision::OperatorCache> Cache;
+  std::unique_ptr<subdivision::KeptEntries> Cache;
   std::unique_ptr<subdivision::BezierRounds> Bezier;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 

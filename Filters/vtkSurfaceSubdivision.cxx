@@ -5,6 +5,7 @@
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/KeptEntries.h"
 #include "Private/Surface/SurfaceBounds.h"
 
 #include "vtkDataObject.h"
@@ -19,7 +20,7 @@
 vtkStandardNewMacro(vtkSurfaceSubdivision);
 
 vtkSurfaceSubdivision::vtkSurfaceSubdivision()
-  : Cache(std::make_unique<subdivision::SurfaceCache>())
+  : Cache(std::make_unique<subdivision::KeptEntries>())
   , Bezier(std::make_unique<subdivision::BezierRounds>())
 {
 }

@@ -164,7 +164,7 @@ class vtkIdTypeArray;
 namespace subdivision
 {
 class BezierRounds;
-class SurfaceCache;
+class KeptEntries;
 struct PlaceRequest;
 }
 
@@ -444,7 +444,7 @@ private:
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
 
-  std::unique_ptr<subdivision::SurfaceCache> Cache;
+  std::unique_ptr<subdivision::KeptEntries> Cache;
   std::unique_ptr<subdivision::BezierRounds> Bezier;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 

@@ -127,14 +127,6 @@ SurfaceTags<Id> SurfaceRun<Id>::Classify(
   return tags;
 }
 
-template <typename Id>
-KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
-{
-  return dynamic_cast<KeptSurfaceOf<Id>*>(
-    this->Options.Cache->FindUnused([&key](const KeptSurface& kept)
-      { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
-}
-
 /// The warnings of cells that come apart, in a level that is not joined by seams.
 template <typename Id>
 std::vector<std::string> SurfaceRun<Id>::DescribeOpen(
@@ -195,16 +187,17 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
 /// stop.
 template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
-  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
     this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
     this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
-  KeptSurfaceOf<Id>* kept = nullptr;
+  KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
     key.Cells = cells;
-    kept = this->FindKept(key);
+    kept = this->Options.Cache->template FindUnused<KeptSurface<Id>>(
+      [&key](const KeptSurface<Id>& entry) { return entry.Key == key; });
   }
   SurfaceLevel<Id> fresh;
   if (!kept)
@@ -249,7 +242,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     }
     if (this->Options.Cache)
     {
-      auto keep = std::make_unique<KeptSurfaceOf<Id>>();
+      auto keep = std::make_unique<KeptSurface<Id>>();
       keep->Key = std::move(key);
       keep->Warnings = open;
       keep->Steps = std::move(own);
@@ -367,7 +360,7 @@ bool SurfaceRun<Id>::Build()
   this->KeepControlCoordinates();
   if (this->MadeLevels == 0 && this->FindSeams())
   {
-    KeptSurface* kept = nullptr;
+    KeptSurface<Id>* kept = nullptr;
     this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
     if (!this->Joined)
     {

@@ -146,12 +146,11 @@ private:
   void StartPoints();
   bool Build();
   SurfaceSteps<Id>* MakeSteps(
-    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& kept);
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
   void SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases);
   // Interpolation (SurfaceInterpolation.cxx).
   bool Interpolates() const;
-  void MakeControl(
-    const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
+  void MakeControl(const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurface<Id>* kept);
   void Interpolate();
   /// The numbers of interpolation for the stamp.
   std::vector<vtkIdType> GetInterpolated() const
@@ -179,7 +178,6 @@ private:
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   std::vector<std::string> DescribeOpen(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
-  KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   /// Whether only cells go on that are split (CellSplits.h).
   bool IsNarrow() const { return this->Options.Splits && !this->Options.Splits->Made.empty(); }
   void LeaveSplit();
@@ -266,7 +264,7 @@ private:
   /// The control level, also of the joined mesh; null where their limits are not needed.
   SurfaceSteps<Id>* Control = nullptr;
   SurfaceSteps<Id>* JoinedControl = nullptr;
-  KeptSurface* Kept = nullptr;
+  KeptSurface<Id>* Kept = nullptr;
   std::vector<Sector<Id>> ControlSectors;
 };
 

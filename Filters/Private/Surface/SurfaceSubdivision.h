@@ -30,7 +30,7 @@ struct SurfaceOptions : RunOptions
   /// A point array of the input, null where there is none: flatness s.
   vtkSmartPointer<vtkDataArray> Flatness;
   /// Where levels are kept; null: nowhere.
-  SurfaceCache* Cache = nullptr;
+  KeptEntries* Cache = nullptr;
   /// Null, or places that are wanted, not an output, by schemes that FindSurfacePlaces knows.
   const PlaceRequest* Places = nullptr;
   /// Null, or of which cells children are wanted; then nothing is kept.

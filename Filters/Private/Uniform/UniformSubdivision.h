@@ -38,7 +38,7 @@ struct UniformOptions : RunOptions
   bool KeepsCopies = false;   ///< all cells of a part, also of others, are made to the end
   bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
   /// Where operators are kept; null: nowhere.
-  OperatorCache* Cache = nullptr;
+  KeptEntries* Cache = nullptr;
   /// Null, or places that are wanted, not an output.
   const PlaceRequest* Places = nullptr;
   /// Null, or of which cells children are wanted; then there is no stamp, and nothing is kept.
