@@ -157,8 +157,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
   }
   options.GenerateClassification = this->GenerateClassification;
   options.ProjectToLimit = this->ProjectToLimit || writesBezierCells;
-  options.GenerateLimitNormals = this->GenerateLimitNormals;
-  options.GenerateTangents = this->GenerateTangents;
+  options.GenerateLimitNormals = this->GenerateLimitNormals && !options.KeepCellTypes;
+  options.GenerateTangents = this->GenerateTangents && !options.KeepCellTypes;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator ? this->Cache.get() : nullptr;
   options.Places = this->Places;

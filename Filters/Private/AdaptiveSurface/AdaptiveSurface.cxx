@@ -101,24 +101,9 @@ private:
 template <typename Id>
 void AdaptiveRun<Id>::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, false);
-  arrays.Warn = this->Options.Warn;
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
-  }
   this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
-  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
-    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
-    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(
+    this->Options, this->Input, this->NoCentres, this->GlobalIds, false, this->Options.Warn);
 }
 
 template <typename Id>
@@ -388,7 +373,7 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
     origins[v - given] = static_cast<Id>(origin(parent));
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
-  const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
+  const bool wantsFrames = this->Options.HasFrames();
   const Buffer<unsigned char> turned = wantsFrames ? this->FindTurned() : Buffer<unsigned char>();
   TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
   if (wantsFrames)

@@ -85,27 +85,13 @@ void SurfaceRun<Id>::ForgetStamp()
 template <typename Id>
 void SurfaceRun<Id>::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Stamp.Levels > 0);
-  arrays.Warn = [this](const std::string& warning) { this->Warnings.push_back(warning); };
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
-  }
   this->GlobalIds = this->Stamp.GlobalIds.empty()
     ? ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints())
     : this->Stamp.GlobalIds;
   this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
-  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
-    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
-    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(this->Options, this->Input, this->NoCentres, this->GlobalIds,
+    this->Stamp.Levels > 0,
+    [this](const std::string& warning) { this->Warnings.push_back(warning); });
 }
 
 template <typename Id>
@@ -168,7 +154,7 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
     2. * static_cast<double>(cells.SegmentCells.size()) +
     this->Scheme->CountFaces(
       static_cast<double>(cells.GetNumberOfFaces()), static_cast<double>(cells.Corners.size()), 1);
-  if (!this->Options.Splits || this->MadeLevels > 0 || this->WantsFrames() ||
+  if (!this->Options.Splits || this->MadeLevels > 0 || this->Options.HasFrames() ||
     this->Options.Factors || this->Options.HasMaterialFields || this->Joined ||
     &cells == &this->JoinedMesh.Cells || FindPartners(this->Options, this->Input) ||
     children != static_cast<double>(this->Options.Splits->Flags[0].size()))
@@ -190,7 +176,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
-    this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
+    this->Options.Features.Weights, this->Options.Levels, this->Options.ReadsLimit(),
     this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
   KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
@@ -231,7 +217,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     const ClaimedLevel claimed = this->GetClaimedLevel();
     const int firstLeft = this->FindFirstLeft(cells, creases.Sharpness);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed,
+      this->GetAllLevels(), this->Options.ReadsLimit(), this->Options.Progress, claimed,
       firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
     steps = own.get();
     const int made = steps->GetNumberOfSteps();
@@ -410,7 +396,7 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   }
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
-  if (this->WantsFrames())
+  if (this->Options.HasFrames())
   {
     TangentPairs tangents = this->FindFrames(*this->Joined, turned, points);
     for (Buffer<double>* values : { tangents.Values, tangents.Values + 1, &tangents.Normals })

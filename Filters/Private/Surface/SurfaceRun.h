@@ -118,7 +118,6 @@ private:
     { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
     return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
   }
-  bool NeedsLimit() const { return this->Options.ProjectToLimit || this->WantsFrames(); }
   bool IsStopped(double done) const
   {
     return this->Options.Progress && this->Options.Progress(done);
@@ -208,10 +207,6 @@ private:
   bool FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
     std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells,
     std::vector<vtkIdType>& missing);
-  bool WantsFrames() const
-  {
-    return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
-  }
   Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;

@@ -51,7 +51,7 @@ bool SurfaceRun<Id>::Execute()
     this->LeaveSplit();
   }
   this->Interpolate();
-  const Buffer<unsigned char> turned = this->WantsFrames()
+  const Buffer<unsigned char> turned = this->Options.HasFrames()
     ? this->FindTurned(this->Joined ? *this->Joined : *this->Steps)
     : Buffer<unsigned char>();
   if (this->Joined)
@@ -99,7 +99,7 @@ bool SurfaceRun<Id>::Execute()
         static_cast<vtkIdType>(left.size()));
     }
   }
-  const bool addFrames = !this->Joined && this->WantsFrames();
+  const bool addFrames = !this->Joined && this->Options.HasFrames();
   const TangentPairs tangents =
     addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : TangentPairs(0);
   if (this->Options.ProjectToLimit)

@@ -14,27 +14,14 @@ class vtkPolyData;
 namespace subdivision
 {
 
-struct CellSplits;
-struct PlaceRequest;
-
-struct SurfaceOptions : RunOptions
+/// Places (LevelOptions) are for schemes that FindSurfacePlaces knows.
+struct SurfaceOptions : LevelOptions
 {
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
-  int Levels = 1;
-  bool ProjectToLimit = false;
-  bool GenerateLimitNormals = false;
-  bool GenerateTangents = false;
-  bool Use32BitIds = false;
   bool JoinSeams = true;
   bool KeepsMerged = false; ///< seams of any values are joined, too
   /// A point array of the input, null where there is none: flatness s.
   vtkSmartPointer<vtkDataArray> Flatness;
-  /// Where levels are kept; null: nowhere.
-  KeptEntries* Cache = nullptr;
-  /// Null, or places that are wanted, not an output, by schemes that FindSurfacePlaces knows.
-  const PlaceRequest* Places = nullptr;
-  /// Null, or of which cells children are wanted; then nothing is kept.
-  CellSplits* Splits = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
