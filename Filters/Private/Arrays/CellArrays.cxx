@@ -84,6 +84,7 @@ void CopyCellArrays(vtkPointSet* input, const CellArrayOptions& options,
   const std::function<bool()>& areSame, vtkPointSet* output)
 {
   vtkCellData* data = input->GetCellData();
+  const bool makesIds = options.OriginalIds && !options.CarryOriginalIds;
   const bool hasGlobalIds = data->GetGlobalIds() && areSame();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -91,6 +92,7 @@ void CopyCellArrays(vtkPointSet* input, const CellArrayOptions& options,
     const std::string name = array->GetName() ? array->GetName() : "";
     if ((array == data->GetGlobalIds() && !hasGlobalIds && !options.OriginalIds) ||
       (array == data->GetNormals() && options.PointsMove) ||
+      (makesIds && name == OriginalCellIdsName) ||
       std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
     {
       continue;
@@ -106,7 +108,7 @@ void CopyCellArrays(vtkPointSet* input, const CellArrayOptions& options,
   {
     output->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
-  if (options.OriginalIds && !options.CarryOriginalIds)
+  if (makesIds)
   {
     const vtkSmartPointer<vtkAbstractArray> ids = makeIds();
     ids->SetName(OriginalCellIdsName);

@@ -2,6 +2,7 @@
 #include "Private/Labels/LabelNet.h"
 
 #include "Core/Memory/Sorting.h"
+#include "Core/Solids/Location/Vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = LabelNet::Vector;
+using namespace vectors;
 
 /// Taubin's factors: long waves keep their height.
 constexpr double Inwards = .5;
@@ -55,16 +56,6 @@ bool EndsBorder(const std::array<int, 4>& around)
   const auto inside =
     std::count_if(around.begin(), around.end(), [](int label) { return label > 0; });
   return outside > 0 && inside > 0 && !(outside == 2 && inside == 2);
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
 }
 
 void Add(double factor, const Vector& a, Vector& to)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Surface/SurfaceCellArrays.h"
+// The cell data of a subdivision of a surface, from cells to their children.
+#include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
@@ -226,47 +227,43 @@ private:
 
 }
 
+/// Copies every cell array of the input to the cells of the last level. The sharpness of lines is
+/// reduced.
 template <typename Id>
-void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  CarriedCells& carried, vtkPolyData* output)
+void SurfaceRun<Id>::CopyCellData()
 {
   CellArrayOptions arrays;
   arrays.PointsMove = true;
-  arrays.OriginalIds = options.GenerateOriginalIds;
-  arrays.CarryOriginalIds =
-    goesOn && HasIds(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());
-  if (arrays.OriginalIds && !arrays.CarryOriginalIds)
-  {
-    arrays.Replaced.emplace_back(OriginalCellIdsName);
-  }
-  arrays.Warn = options.Warn;
-  SurfaceSources<Id> sources(cells, steps, firstStep, carried);
+  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
+    HasIds(this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
+  arrays.Warn = this->Options.Warn;
+  SurfaceSources<Id> sources(this->Cells, *this->Steps, this->MadeLevels, this->Stamp.Carried);
   CarriedCells next;
-  sources.FindChanged(input);
+  sources.FindChanged(this->Input);
   CopyCellArrays(
-    input, arrays, [&](vtkAbstractArray* array) { return sources.Copy(array, next); },
+    this->Input, arrays, [&](vtkAbstractArray* array) { return sources.Copy(array, next); },
     [&] { return sources.CopyIds(OriginalCellIdsName, next); },
     [&]
     {
-      const Buffer<vtkIdType>& cellsOfInput = sources.GetSources();
-      return AreAllCells({ cellsOfInput.begin(), cellsOfInput.end() }, input->GetNumberOfCells());
+      const Buffer<vtkIdType>& cells = sources.GetSources();
+      return AreAllCells({ cells.begin(), cells.end() }, this->Input->GetNumberOfCells());
     },
-    output);
-  carried = std::move(next);
-  if (vtkDataArray* given = options.Features.Sharpness)
+    this->Output);
+  this->Stamp.Carried = std::move(next);
+  if (vtkDataArray* given = this->Options.Features.Sharpness)
   {
-    vtkDataArray* sharpness = output->GetCellData()->GetArray(given->GetName());
-    const vtkIdType first = static_cast<vtkIdType>(cells.VertexCells.size());
-    const vtkIdType lines = steps.GetLevel(steps.GetNumberOfSteps()).Lines.size();
+    vtkDataArray* sharpness = this->Output->GetCellData()->GetArray(given->GetName());
+    const vtkIdType first = static_cast<vtkIdType>(this->Cells.VertexCells.size());
+    const vtkIdType lines = GetLast(*this->Steps).Lines.size();
+    const int steps = this->Steps->GetNumberOfSteps() - this->MadeLevels;
     for (vtkIdType i = first; sharpness && i < first + lines; ++i)
     {
-      sharpness->SetComponent(
-        i, 0, std::max(sharpness->GetComponent(i, 0) - (steps.GetNumberOfSteps() - firstStep), 0.));
+      sharpness->SetComponent(i, 0, std::max(sharpness->GetComponent(i, 0) - steps, 0.));
     }
   }
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CopySurfaceCellArrays);
+SUBDIVISION_COMPILE(class SurfaceRun);
 
 }

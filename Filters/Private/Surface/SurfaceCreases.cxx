@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Solids/Location/Vectors.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
@@ -11,7 +12,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -23,17 +23,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using namespace vectors;
 
 /// A vector in the plane of a face that points from the edge of `corner` into the face: the mean
 /// normal of the face times the edge.
@@ -42,9 +32,8 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
 {
   auto between = [&](Id from, Id to)
   {
-    const double* a = points + 3 * static_cast<vtkIdType>(mesh.Vertices[from]);
-    const double* b = points + 3 * static_cast<vtkIdType>(mesh.Vertices[to]);
-    return Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+    return Subtract(points + 3 * static_cast<vtkIdType>(mesh.Vertices[to]),
+      points + 3 * static_cast<vtkIdType>(mesh.Vertices[from]));
   };
   Vector normal{ 0., 0., 0. };
   const Id after = mesh.Next(corner);

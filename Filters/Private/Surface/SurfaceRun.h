@@ -227,6 +227,7 @@ private:
     }
   }
   void WriteCells();
+  void CopyCellData(); // SurfaceCellArrays.cxx
   void WriteStamp();
 
   vtkPolyData* Input;

@@ -6,7 +6,6 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Partitions/Partners.h"
-#include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Values/SharedInterpolation.h"
 
@@ -124,8 +123,7 @@ bool SurfaceRun<Id>::Execute()
 template <typename Id>
 void SurfaceRun<Id>::Write()
 {
-  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+  this->CopyCellData();
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   if (!this->IsNarrow()) // the whole, which was made before, told of all points
@@ -204,11 +202,6 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
 {
   const auto scheme = MakeSurfaceScheme<int>(
     options.Scheme, options.Features.ModifiedBoundary, options.Features.Weights);
-  if (!scheme)
-  {
-    options.Fail("This scheme is not available.");
-    return false;
-  }
   SurfaceCells cells;
   bool isLarge = false;
   if (!ReadAndCheck(input, *scheme, options, cells, isLarge))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Uniform/KeptTypes.h"
+// Uniform linear refinement that keeps the types of cells.
+#include "Private/Uniform/UniformSubdivision.h"
 
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/TetOrder.h"
@@ -268,10 +269,6 @@ void WriteCellData(vtkPointSet* input, const std::vector<vtkIdType>& sources,
   cells.Levels = options.Levels;
   cells.PointsMove = options.MovesPoints();
   cells.OriginalIds = options.GenerateOriginalIds;
-  if (cells.OriginalIds)
-  {
-    cells.Replaced.emplace_back(OriginalCellIdsName);
-  }
   cells.Warn = options.Warn;
   CopyCellArrays(input, ids, cells, output);
   RebuildPointGhosts(input, output);

@@ -10,8 +10,6 @@
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Run/StampFields.h"
-#include "Private/Uniform/Classification.h"
-#include "Private/Uniform/KeptTypes.h"
 #include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"
@@ -236,10 +234,6 @@ void UniformRun::Write()
   cells.OriginalIds = this->Options.GenerateOriginalIds;
   cells.CarryOriginalIds = this->Mesh.IsStamped &&
     HasIds(this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
-  if (cells.OriginalIds && !cells.CarryOriginalIds)
-  {
-    cells.Replaced.emplace_back(OriginalCellIdsName);
-  }
   if (this->Cells.Octahedra)
   {
     cells.Replaced.emplace_back(this->Cells.Octahedra->GetName());
@@ -276,14 +270,6 @@ void UniformRun::Write()
   if (!this->IsNarrow)
   {
     this->WriteStamps();
-  }
-}
-
-void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)
-{
-  if (this->Options.GenerateClassification)
-  {
-    AddRules(vertices, edges, this->Input, this->Output);
   }
 }
 

@@ -25,12 +25,15 @@ struct UniformOptions : LevelOptions
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
   }
   bool KeepsCopies = false;   ///< all cells of a part, also of others, are made to the end
-  bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
+  bool KeepCellTypes = false; ///< with StampScheme::Linear
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
 /// empties the output.
 bool SubdivideUniformly(
+  vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
+/// The same with KeepCellTypes: linear refinement that keeps the types of cells (KeptTypes.cxx).
+bool RefineKeepingTypes(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 
 /// The operators of the steps from one mesh, and the mesh after them.
