@@ -49,6 +49,21 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
   return Cross(normal, between(corner, after));
 }
 
+/// The ends of the edges that `isWanted` takes.
+template <typename Id, typename IsWanted>
+std::vector<vtkIdType> ListEdges(const PolygonMesh<Id>& mesh, const IsWanted& isWanted)
+{
+  std::vector<vtkIdType> pairs;
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
+  {
+    if (isWanted(e))
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  return pairs;
+}
+
 template <typename Id>
 std::vector<vtkIdType> FindFeatureEdges(
   const PolygonMesh<Id>& mesh, const Coordinates& points, double angle)
@@ -74,15 +89,7 @@ std::vector<vtkIdType> FindFeatureEdges(
         turns[e] = std::acos(cosine) > least;
       }
     });
-  std::vector<vtkIdType> pairs;
-  for (const vtkIdType e : InTurn(turns.size()))
-  {
-    if (turns[e])
-    {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
-  return pairs;
+  return ListEdges(mesh, [&](vtkIdType e) { return turns[e] != 0; });
 }
 
 template <typename Id>
@@ -92,17 +99,13 @@ std::vector<vtkIdType> FindInterfaceEdges(
   const std::vector<int> numbers = NumberMaterials(materials);
   auto materialOf = [&](Id corner)
   { return numbers[static_cast<std::size_t>(faceCells[mesh.GetFace(corner)])]; };
-  std::vector<vtkIdType> pairs;
-  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
-  {
-    const Id corner = mesh.EdgeCorners[e];
-    const Id twin = corner < 0 ? corner : mesh.Twins[corner];
-    if (twin >= 0 && materialOf(corner) != materialOf(twin))
+  return ListEdges(mesh,
+    [&](vtkIdType e)
     {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
-  return pairs;
+      const Id corner = mesh.EdgeCorners[e];
+      const Id twin = corner < 0 ? corner : mesh.Twins[corner];
+      return twin >= 0 && materialOf(corner) != materialOf(twin);
+    });
 }
 
 }
@@ -208,14 +211,8 @@ void AddSharpEdges(const PolygonMesh<Id>& mesh, const SharpPairs& pairs, Surface
 template <typename Id>
 std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features)
 {
-  std::vector<vtkIdType> pairs;
-  for (const std::size_t e : InTurn(features.SharpEdges.size()))
-  {
-    if (features.SharpEdges[e])
-    {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
+  std::vector<vtkIdType> pairs = ListEdges(mesh, [&](vtkIdType e)
+    { return !features.SharpEdges.empty() && features.SharpEdges[static_cast<std::size_t>(e)]; });
   for (const std::size_t v : InTurn(features.Corners.size()))
   {
     if (features.Corners[v])

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Surfaces/Scheme/ShadingDescent.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
@@ -11,27 +12,6 @@
 
 namespace subdivision
 {
-
-namespace
-{
-
-/// Three numbers for each point, whatever type they are stored in.
-Buffer<double> ReadPoints(vtkDataArray* points)
-{
-  const vtkIdType size = points->GetNumberOfValues();
-  Buffer<double> values(size);
-  const void* stored = points->GetVoidPointer(0);
-  const bool isSingle = points->GetDataType() == VTK_FLOAT;
-  ForEach(size,
-    [&](vtkIdType i)
-    {
-      values[i] =
-        isSingle ? static_cast<const float*>(stored)[i] : static_cast<const double*>(stored)[i];
-    });
-  return values;
-}
-
-}
 
 template <typename Id>
 void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
@@ -83,18 +63,19 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
   TangentPairs tangents(rows);
-  const Buffer<double> x = ReadPoints(points);
+  Buffer<double> converted;
+  const double* x = ReadDoubles(points->GetVoidPointer(0), type, 3 * rows, converted);
   const double unit = type == VTK_FLOAT ? SingleUnit : DoubleUnit;
   auto apply = [&](LimitKind kind, double* values)
   {
     steps.GetLimit(kind).ForRows(
       [&](const RowBlock<Id>& block, vtkIdType first)
       {
-        block.Apply(x.data(), values + 3 * first, 3);
+        block.Apply(x, values + 3 * first, 3);
         for (std::size_t row = 0; row < block.GetNumberOfRows(); ++row)
         {
           tangents.Errors[first + static_cast<vtkIdType>(row)] +=
-            GetTangentError(block, row, x.data(), unit);
+            GetTangentError(block, row, x, unit);
         }
       });
   };
@@ -115,7 +96,7 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
     tangents);
   if (normals)
   {
-    FindNormals(steps.GetScheme(), level, steps.GetSharpCreases(), turned, x.data(), tangents);
+    FindNormals(steps.GetScheme(), level, steps.GetSharpCreases(), turned, x, tangents);
   }
   return tangents;
 }
