@@ -131,26 +131,14 @@
 #ifndef vtkSurfaceSubdivision_h
 #define vtkSurfaceSubdivision_h
 
-#include "vtkMarkedSubdivisionAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
+#include "vtkUniformSubdivisionAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-class vtkDataArray;
-class vtkIdTypeArray;
-
-namespace subdivision
-{
-class BezierRounds;
-class SurfaceCache;
-struct PlaceRequest;
-}
-
-class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkMarkedSubdivisionAlgorithm
+class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkUniformSubdivisionAlgorithm
 {
 public:
   static vtkSurfaceSubdivision* New();
-  vtkTypeMacro(vtkSurfaceSubdivision, vtkMarkedSubdivisionAlgorithm);
+  vtkTypeMacro(vtkSurfaceSubdivision, vtkUniformSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// The output; null if it has Bezier cells (OutputCells). Then GetOutputDataObject(0) has it, a
@@ -189,112 +177,6 @@ public:
 
   ///@{
   /**
-   * Number of subdivision steps, 0 to 20, default 1.
-   */
-  vtkSetClampMacro(NumberOfLevels, int, 0, 20);
-  vtkGetMacro(NumberOfLevels, int);
-  ///@}
-
-  ///@{
-  /**
-   * Whether output points, and all arrays that are smoothed, are moved to the limit of infinitely
-   * many steps, also where creases are still sharp for some levels. Off by default.
-   */
-  vtkSetMacro(ProjectToLimit, bool);
-  vtkGetMacro(ProjectToLimit, bool);
-  vtkBooleanMacro(ProjectToLimit, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to output unit normals of the limit surface at the points (`LimitNormals`, the active
-   * normals of the output) or two tangents (`LimitTangent1`, `LimitTangent2`, not normalised; their
-   * cross product has the direction of the normal). On a crease or at a corner they are those of
-   * one sector, the first tangent along the curve. Where orientations of faces differ they have
-   * the side of the first face of their part (all faces that can be reached over edges of two
-   * faces); on a part with one side only, like a Moebius band, that of a face at the point, which
-   * with SqrtThree and FourEight may be another one on another level. On a crease that is still
-   * sharp for more than 26 levels they are as if it were for 26.
-   *
-   * Where there are no tangents normals are not zero all the same, so that nothing is drawn black:
-   * at joints, ends of creases and all other points with faces they are the mean of the normals
-   * that corners of faces have there in the limit, weighted by angle (where these cancel, see
-   * Mathematics 8), the same on all levels and with ProjectToLimit; DOO_SABIN and MIDEDGE, which
-   * keep no points, take the faces of the level. On curves they are perpendicular to the
-   * curve, and at single points the z axis. Off by default.
-   */
-  vtkSetMacro(GenerateLimitNormals, bool);
-  vtkGetMacro(GenerateLimitNormals, bool);
-  vtkBooleanMacro(GenerateLimitNormals, bool);
-  vtkSetMacro(GenerateTangents, bool);
-  vtkGetMacro(GenerateTangents, bool);
-  vtkBooleanMacro(GenerateTangents, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether to output certified bounds on the distance from the limit. Cell arrays: `ErrorBound`,
-   * which no distance exceeds between a place of the cell (of a quad: of the bilinear surface) and
-   * the place of the limit with the same parameters, and for each point array of floating point
-   * numbers, A, the array `AErrorBound`, the same for the Euclidean norm of the difference of its
-   * values. Point arrays: `SmoothingDistance`, how far a point of the input is away from its limit,
-   * and `ASmoothingDistance` for values; -1 at all other points. All vtkDoubleArray with one
-   * component. The bounds hold for the points and values of the output, whether they are projected
-   * to the limit or not, but for rounding in double precision. They are less than 2.5 times the
-   * truth for 999 of 1,000 cells of random meshes, but 9.1 times was met, and there is no limit
-   * where the truth is rounding, or less than 1/640 of what is first found (1/140000 in lines):
-   * Mathematics 14.
-   *
-   * They are read off a mesh of 3 more levels, 64 times as many faces (SQRT_THREE: 4 more, 81
-   * times), which counts for MaximumNumberOfCells and memory. For LOOP, CATMULL_CLARK, SQRT_THREE
-   * and LINEAR. With a warning the filter makes no bounds where it has no proof: with other
-   * schemes, Bezier cells, negative weights (flatness at corners), seams that are joined, faces
-   * that are no quads if NumberOfLevels = 0 (CATMULL_CLARK), borders and creases after an odd
-   * NumberOfLevels (SQRT_THREE), creases that are sharp for more than one level after the last,
-   * InterfaceValues = DISCONTINUOUS_VALUES, and on several ranks. Off by default.
-   */
-  vtkSetMacro(GenerateErrorBounds, bool);
-  vtkGetMacro(GenerateErrorBounds, bool);
-  vtkBooleanMacro(GenerateErrorBounds, bool);
-  ///@}
-
-  enum OutputCellTypes
-  {
-    LINEAR_CELLS,
-    BEZIER_CELLS
-  };
-  ///@{
-  /**
-   * Which cells the output has: LINEAR_CELLS (0, the default) or BEZIER_CELLS (1), which are the
-   * limit itself; then the output is a vtkUnstructuredGrid (GetUnstructuredGridOutput) of
-   * VTK_BEZIER_CURVE of degree 3 and, for LOOP and LINEAR, VTK_BEZIER_TRIANGLE of degree 4, for
-   * CATMULL_CLARK VTK_BEZIER_QUADRILATERAL of degree 3. See vtkMultiDimensionalSubdivision. A face
-   * that is no quad is split by CATMULL_CLARK in any case. The limit is read off a mesh of 3 more
-   * levels, of 4 if CATMULL_CLARK has faces that are no quads; further levels are made for the
-   * cells alone that they split, unless there are blocks, ranks, seams that are joined, normals,
-   * tangents or values that jump. With other schemes a warning says that cells stay linear, in a
-   * vtkPolyData.
-   */
-  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
-  vtkGetMacro(OutputCells, int);
-  void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
-  void SetOutputCellsToBezier() { this->SetOutputCells(BEZIER_CELLS); }
-  ///@}
-
-  ///@{
-  /**
-   * The distance from the limit that Bezier cells may have: as a part of the diagonal of the mesh,
-   * and the difference of each component of an array as a part of the array's range. Cells that
-   * were split NumberOfLevels times may leave out more. The filter looks at the points of one
-   * further level, where two thirds of this are allowed. 0 to 1, default 0.0001. 0 splits all cells
-   * whose limit is no polynomial, but for rounding, NumberOfLevels times.
-   */
-  vtkSetClampMacro(BezierTolerance, double, 0., 1.);
-  vtkGetMacro(BezierTolerance, double);
-  ///@}
-
-  ///@{
-  /**
    * Whether points of equal coordinates are one point for the surface, if there are texture
    * coordinates (the active ones of the point data). At seams of a texture a vtkPolyData has points
    * several times, once for each side. The points then follow the joined surface, which stays
@@ -307,26 +189,6 @@ public:
   vtkGetMacro(JoinSeams, bool);
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
-
-  ///@{
-  /**
-   * Whether the levels and the output's cells are kept, so that an execution whose cells, rules and
-   * options have not changed builds no topology and shares its connectivity with the previous
-   * output. Cells are compared by content. On by default.
-   */
-  void SetCacheOperator(bool cache);
-  vtkGetMacro(CacheOperator, bool);
-  vtkBooleanMacro(CacheOperator, bool);
-  ///@}
-
-  /**
-   * Computes the matrix by which the filter moves points, with the present options on the present
-   * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
-   * without InterpolatePoints, InterpolateArrays and InterfaceValues. With CacheOperator an update
-   * before has made most of it, and the next one can use it. With JoinSeams it is the operator of
-   * the points, and arrays have another at seams.
-   */
-  bool ComputeOperator(vtkSubdivisionOperator* result) { return this->FindOperator(result); }
 
   /**
    * Evaluates the limit at places of cells of the present input, a vtkPolyData, which is updated,
@@ -364,29 +226,13 @@ public:
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 
-  /**
-   * How often this filter built topology while CacheOperator was on.
-   */
-  vtkIdType GetNumberOfTopologyBuilds() const;
-
-  ///@{
-  /**
-   * Whether the output's cells are stored with 32-bit ids where they fit. Off by default.
-   */
-  vtkSetMacro(Use32BitIds, bool);
-  vtkGetMacro(Use32BitIds, bool);
-  vtkBooleanMacro(Use32BitIds, bool);
-  ///@}
-
 protected:
   vtkSurfaceSubdivision();
   ~vtkSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
   bool WritesSurfaces() const override { return !this->WritesBezierCells(); }
-  bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
   bool HasOriginalCellIds() const override { return this->GenerateOriginalIds || this->Places; }
-  bool CanInterpolate() const override { return true; }
   enum SurfaceArrayIndices
   {
     FLATNESS_ARRAY = 6
@@ -401,31 +247,15 @@ protected:
     return this->HasInterfaces() && this->Scheme != FOUR_EIGHT && this->Scheme != SQRT_THREE;
   }
   bool JoinsSeams() const override { return this->JoinSeams; }
-  void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
-  vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
+  const char* DescribeBezierNeeds() const override;
+  bool MakesQuads() const override { return this->Scheme == CATMULL_CLARK; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
   int Scheme = LOOP;
-  int NumberOfLevels = 1;
-  bool ProjectToLimit = false;
-  bool GenerateLimitNormals = false;
-  bool GenerateTangents = false;
-  bool GenerateErrorBounds = false;
-  int OutputCells = LINEAR_CELLS;
-  double BezierTolerance = 1e-4;
   bool JoinSeams = true;
-  bool CacheOperator = true;
-  bool Use32BitIds = false;
 
 private:
-  /// Whether this execution has an output, and that has Bezier cells.
-  bool WritesBezierCells() const;
-
-  std::unique_ptr<subdivision::SurfaceCache> Cache;
-  std::unique_ptr<subdivision::BezierRounds> Bezier;
-  const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
-
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;
   void operator=(const vtkSurfaceSubdivision&) = delete;
 };

@@ -118,7 +118,7 @@ struct KeepingOptions : UniformOptions
 
 bool Run(vtkPointSet* input, KeepingOptions options, vtkPointSet* output)
 {
-  subdivision::OperatorCache cache;
+  subdivision::KeptEntries cache;
   options.Cache = &cache;
   return Run(input, static_cast<const UniformOptions&>(options), output);
 }

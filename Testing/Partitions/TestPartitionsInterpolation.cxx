@@ -4,8 +4,8 @@
 #include "PartitionTools.h"
 
 #include "Private/Distribution/KeptParts.h"
+#include "Private/Run/KeptEntries.h"
 #include "Private/Surface/SurfaceSubdivision.h"
-#include "Private/Uniform/OperatorCache.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
@@ -215,7 +215,7 @@ TEST(PartitionsInterpolation, KeepOperators)
   AddArrays(vtkUnstructuredGrid::SafeDownCast(mesh));
   NumberCells(mesh);
   const Partition& partition = Partitions[0];
-  std::vector<subdivision::OperatorCache> caches(static_cast<std::size_t>(partition.Parts));
+  std::vector<subdivision::KeptEntries> caches(static_cast<std::size_t>(partition.Parts));
   subdivision::KeptParts kept;
   const auto check = [&](const char* what)
   {
@@ -238,7 +238,7 @@ TEST(PartitionsInterpolation, KeepOperators)
       },
       outputs));
     ExpectWhole(whole, outputs);
-    for (subdivision::OperatorCache& cache : caches)
+    for (subdivision::KeptEntries& cache : caches)
     {
       cache.ForgetUnused();
       EXPECT_EQ(1, cache.NumberOfBuilds);

@@ -5,8 +5,8 @@
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
+#include "Private/Run/KeptEntries.h"
 #include "Private/Surface/SurfaceSubdivision.h"
-#include "Private/Uniform/OperatorCache.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellArray.h"
@@ -280,7 +280,7 @@ TEST(PartitionsSides, OfRedGreenRefinement)
 TEST(PartitionsSides, FollowACellThatAnotherPartReverses)
 {
   const Partition& partition = CommonPartitions[0];
-  std::vector<subdivision::OperatorCache> caches(static_cast<size_t>(partition.Parts));
+  std::vector<subdivision::KeptEntries> caches(static_cast<size_t>(partition.Parts));
   subdivision::UniformOptions options = MakeUniformOptions();
   options.Levels = 1;
   const auto subdivide = [&](vtkPointSet* input, vtkPointSet* output)
@@ -300,7 +300,7 @@ TEST(PartitionsSides, FollowACellThatAnotherPartReverses)
     ExpectWhole(whole,
       RunParts(Cut(mesh, partOf, partition.Parts, KnownBy::GlobalIds), partition, false, 2, options,
         subdivide));
-    for (subdivision::OperatorCache& cache : caches)
+    for (subdivision::KeptEntries& cache : caches)
     {
       cache.ForgetUnused();
     }

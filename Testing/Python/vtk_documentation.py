@@ -16,7 +16,7 @@ from headers import HEADERS, NO_OPTIONS, along_axes, of_bases, stated_defaults, 
 
 PLUGIN = pathlib.Path(__file__).resolve().parents[2] / "Plugin"
 ABSTRACT = (subdivisionobjects.vtkSubdivisionAlgorithm, subdivisionobjects.vtkRefinementAlgorithm,
-            subdivisionobjects.vtkMarkedSubdivisionAlgorithm)
+            subdivisionobjects.vtkMarkedSubdivisionAlgorithm, subdivisionobjects.vtkUniformSubdivisionAlgorithm)
 CONCRETE = [cls for cls in HEADERS if cls not in ABSTRACT]
 PRECISIONS = ["SINGLE_PRECISION", "DOUBLE_PRECISION", "DEFAULT_PRECISION"]
 

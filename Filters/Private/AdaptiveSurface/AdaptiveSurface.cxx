@@ -16,7 +16,6 @@
 #include "Private/Partitions/FittingMarks.h"
 #include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
-#include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
@@ -25,6 +24,7 @@
 #include "Private/Values/MissingValues.h"
 
 #include "vtkCellData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -101,24 +101,9 @@ private:
 template <typename Id>
 void AdaptiveRun<Id>::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, false);
-  arrays.Warn = this->Options.Warn;
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
-  }
   this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
-  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
-    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
-    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(
+    this->Options, this->Input, this->NoCentres, this->GlobalIds, false, this->Options.Warn);
 }
 
 template <typename Id>
@@ -333,9 +318,11 @@ void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
   vtkNew<vtkUnsignedCharArray> generations;
   generations->SetName(GenerationName);
   Allocate(generations, 1, before + level.Mesh.NumberOfFaces);
-  Buffer<vtkIdType> sources(before + level.Mesh.NumberOfFaces);
+  vtkNew<vtkIdTypeArray> ids;
+  Allocate(ids, 1, before + level.Mesh.NumberOfFaces);
+  vtkIdType* sources = ids->GetPointer(0);
   unsigned char* generation = generations->GetPointer(0);
-  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources.begin());
+  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources);
   std::fill(generation, generation + points, static_cast<unsigned char>(0));
   for (std::size_t i = 0; i < pieces.size(); ++i)
   {
@@ -344,11 +331,18 @@ void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
     generation[points + i] = static_cast<unsigned char>(pieces[i].Generation);
     sources[points + i] = lineCells[i];
   }
-  plan.WriteTriangles(level.Mesh.Vertices.data(), generation + before, sources.data() + before);
+  plan.WriteTriangles(level.Mesh.Vertices.data(), generation + before, sources + before);
   ForEach(level.Mesh.NumberOfFaces,
     [&](vtkIdType i) { sources[before + i] = this->Cells.FaceCells[sources[before + i]]; });
   WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
-  CopySurfaceCellArrays(this->Input, sources, true, this->Options, this->Output);
+  ids->SetName(OriginalCellIdsName);
+  CellArrayOptions options;
+  options.PointsMove = true;
+  options.OriginalIds = this->Options.GenerateOriginalIds; // global ids are copied then, too
+  options.Replaced = { OriginalCellIdsName };
+  options.Warn = this->Options.Warn;
+  CopyCellArrays(this->Input, ids, options, this->Output);
+  AddInstead(this->Input->GetCellData(), ids, this->Output->GetCellData());
   AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
 }
 
@@ -379,7 +373,7 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
     origins[v - given] = static_cast<Id>(origin(parent));
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
-  const bool wantsFrames = this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
+  const bool wantsFrames = this->Options.HasFrames();
   const Buffer<unsigned char> turned = wantsFrames ? this->FindTurned() : Buffer<unsigned char>();
   TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
   if (wantsFrames)
@@ -396,20 +390,15 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
     }
   }
   this->Points->Advance(limit, origin);
-  if (wantsFrames)
-  {
-    AddLimitFrames(tangents, this->Points->GetPoints(), {}, this->Options.GenerateTangents,
-      this->Input, this->Output);
-  }
-  this->Points->Finish(this->Output);
-  if (wantsFrames)
-  {
-    MoveLimitFramesToEnd(this->Output);
-  }
   if (this->Options.GenerateLimitNormals)
   {
-    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
+    this->Points->SetLimitNormals(tangents.Normals);
   }
+  if (this->Options.GenerateTangents)
+  {
+    this->Points->SetLimitTangents(tangents.Values);
+  }
+  this->Points->Finish(this->Output);
 }
 
 /// How many cells the output may have: by the option, by MaximumLevel, and by the memory that there

@@ -95,30 +95,6 @@ void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetA
   }
 }
 
-void MoveToEnd(const char* name, vtkDataSetAttributes* data)
-{
-  int source = -1;
-  const vtkSmartPointer<vtkAbstractArray> array = data->GetAbstractArray(name, source);
-  if (!array)
-  {
-    return;
-  }
-  std::vector<int> types;
-  for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
-  {
-    if (data->GetAbstractAttribute(type) == array)
-    {
-      types.push_back(type);
-    }
-  }
-  data->RemoveArray(source);
-  const int moved = data->AddArray(array);
-  for (const int type : types)
-  {
-    data->SetActiveAttribute(moved, type);
-  }
-}
-
 bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,
   const std::function<void(const std::string&)>& warn)
 {

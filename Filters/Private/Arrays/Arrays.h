@@ -41,10 +41,6 @@ void AddLike(
 /// place as active attribute.
 void AddInstead(vtkDataSetAttributes* from, vtkAbstractArray* array, vtkDataSetAttributes* to);
 
-/// Makes the array the last one, behind the user's own: ParaView's Information panel has this order
-/// (6.0 and later). Does nothing if there is no such array.
-void MoveToEnd(const char* name, vtkDataSetAttributes* data);
-
 /// Whether an array has a tuple for each point or cell. If not, it cannot be used, and `warn` gets
 /// a message.
 bool HasTuples(vtkAbstractArray* array, vtkIdType wanted, const char* kind,

@@ -76,14 +76,15 @@ vtkSmartPointer<vtkDataArray> MakeIds(vtkIdType size)
   return ids;
 }
 
-/// Copies all cell arrays of the input. `spread` makes an array of the output from one of the
-/// input; `makeIds` makes the array of the input cell that each output cell comes from; `areSame`
-/// says whether the cells are still cells of the input.
-template <typename SpreadTo, typename Ids, typename AreSame>
-void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const SpreadTo& spread,
-  const Ids& makeIds, const AreSame& areSame, vtkUnstructuredGrid* output)
+}
+
+void CopyCellArrays(vtkPointSet* input, const CellArrayOptions& options,
+  const std::function<vtkSmartPointer<vtkAbstractArray>(vtkAbstractArray*)>& spread,
+  const std::function<vtkSmartPointer<vtkAbstractArray>()>& makeIds,
+  const std::function<bool()>& areSame, vtkPointSet* output)
 {
   vtkCellData* data = input->GetCellData();
+  const bool makesIds = options.OriginalIds && !options.CarryOriginalIds;
   const bool hasGlobalIds = data->GetGlobalIds() && areSame();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -91,6 +92,7 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
     const std::string name = array->GetName() ? array->GetName() : "";
     if ((array == data->GetGlobalIds() && !hasGlobalIds && !options.OriginalIds) ||
       (array == data->GetNormals() && options.PointsMove) ||
+      (makesIds && name == OriginalCellIdsName) ||
       std::find(options.Replaced.begin(), options.Replaced.end(), name) != options.Replaced.end())
     {
       continue;
@@ -106,14 +108,12 @@ void CopyArrays(vtkPointSet* input, const CellArrayOptions& options, const Sprea
   {
     output->GetCellData()->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
-  if (options.OriginalIds && !options.CarryOriginalIds)
+  if (makesIds)
   {
     const vtkSmartPointer<vtkAbstractArray> ids = makeIds();
     ids->SetName(OriginalCellIdsName);
     AddInstead(data, ids, output->GetCellData());
   }
-}
-
 }
 
 vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
@@ -138,7 +138,7 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   {
     return areSame() ? vtkSmartPointer<vtkAbstractArray>(array) : SpreadArray(array, cells, *first);
   };
-  CopyArrays(
+  CopyCellArrays(
     input, options, spread, [&]() { return spread(MakeIds(input->GetNumberOfCells())); }, areSame,
     output);
 }
@@ -150,12 +150,12 @@ bool AreAllCells(Row<vtkIdType> sources, vtkIdType size)
     std::all_of(sources.begin(), sources.end(), [&](vtkIdType cell) { return cell == next++; });
 }
 
-void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
-  vtkUnstructuredGrid* output)
+void CopyCellArrays(
+  vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options, vtkPointSet* output)
 {
   const vtkIdType* first = sources->GetPointer(0);
   const Row<vtkIdType> row{ first, first + sources->GetNumberOfTuples() };
-  CopyArrays(
+  CopyCellArrays(
     input, options, [&](vtkAbstractArray* array) { return Gather(array, row); },
     [&]() { return vtkSmartPointer<vtkAbstractArray>(sources); },
     [&]() { return AreAllCells(row, input->GetNumberOfCells()); }, output);

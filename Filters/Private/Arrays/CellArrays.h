@@ -47,6 +47,14 @@ vtkSmartPointer<vtkAbstractArray> SpreadToChildren(
 /// Whether `sources` are all of `size` cells in their order.
 bool AreAllCells(Row<vtkIdType> sources, vtkIdType size);
 
+/// Copies all cell arrays of the input. `spread` makes an array of the output from one of the
+/// input; `makeIds` makes the array of the input cell that each output cell comes from; `areSame`
+/// says whether the cells are still cells of the input.
+void CopyCellArrays(vtkPointSet* input, const CellArrayOptions& options,
+  const std::function<vtkSmartPointer<vtkAbstractArray>(vtkAbstractArray*)>& spread,
+  const std::function<vtkSmartPointer<vtkAbstractArray>()>& makeIds,
+  const std::function<bool()>& areSame, vtkPointSet* output);
+
 /// Copies every cell array of `input` to the children that its simplices have after some levels.
 void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
   const CellArrayOptions& options, vtkUnstructuredGrid* output);
@@ -54,7 +62,7 @@ void CopyCellArrays(vtkPointSet* input, const SimplicesOfCells& cells,
 /// The same for an output where `sources` has, for each cell, the input cell that it is a part of.
 /// `sources` itself becomes `vtkOriginalCellIds`.
 void CopyCellArrays(vtkPointSet* input, vtkIdTypeArray* sources, const CellArrayOptions& options,
-  vtkUnstructuredGrid* output);
+  vtkPointSet* output);
 
 /// The same where a child may take its values from another cell than its parent: `parents` has this
 /// cell for each child of the first step. Empty: all children take the values of their parent.

@@ -200,7 +200,7 @@ EmbeddedPoints* Deformation::GuessEmbedded(
   const int type = points->GetDataType();
   return type != VTK_DOUBLE && type != VTK_FLOAT
     ? nullptr
-    : this->Embedded.Find(
+    : this->Embedded.Find<EmbeddedPoints>(
         [&](const EmbeddedPoints& kept)
         {
           return kept.Rule == options.Outside && kept.Composed.GetNumberOfRows() == 0 &&
@@ -221,7 +221,7 @@ void Deformation::Use(EmbeddedPoints& embedded)
 EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
 {
   Fingerprint print = ComputeFingerprint(points);
-  EmbeddedPoints* embedded = this->Embedded.Find([&](const EmbeddedPoints& kept)
+  EmbeddedPoints* embedded = this->Embedded.Find<EmbeddedPoints>([&](const EmbeddedPoints& kept)
     { return kept.Rule == options.Outside && kept.Print == print; });
   const bool isNew = !embedded;
   if (isNew)

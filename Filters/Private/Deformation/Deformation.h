@@ -7,7 +7,6 @@
 #define SubdivisionObjects_Deformation_h
 
 #include "Private/Deformation/EmbeddedPoints.h"
-#include "Private/Run/KeptEntries.h"
 
 namespace subdivision
 {
@@ -41,7 +40,7 @@ private:
   void Use(EmbeddedPoints& embedded);
 
   RestMesh Rest;
-  KeptEntries<EmbeddedPoints> Embedded;
+  KeptEntries Embedded;
 };
 
 }

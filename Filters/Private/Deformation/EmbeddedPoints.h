@@ -9,6 +9,7 @@
 #include "Core/Operators/CornerRows.h"
 #include "Private/Arrays/Fingerprint.h"
 #include "Private/Deformation/RestMesh.h"
+#include "Private/Run/KeptEntries.h"
 
 #include <limits>
 
@@ -21,7 +22,7 @@ namespace subdivision
  * the point; if it moves like the nearest place in the mesh the remainder is the difference between
  * the two.
  */
-struct EmbeddedPoints
+struct EmbeddedPoints : KeptEntry
 {
   /// Corners of cells: 4 of a solid, 3 of another cell, or none. They read corners of the rest
   /// mesh, of which these points are forgotten before it changes.
@@ -35,12 +36,11 @@ struct EmbeddedPoints
 
   Fingerprint Print; ///< of the points
   OutsideRule Rule = OutsideRule::Leave;
-  bool Used = true;
 
   /// How many rows Rows.Others may have, which are named by int; tests change it.
   static inline vtkIdType MostOthers = std::numeric_limits<int>::max();
 
-  std::size_t GetMemorySize() const
+  std::size_t GetMemorySize() const override
   {
     return this->Rows.GetMemorySize() + this->Composed.GetMemorySize();
   }

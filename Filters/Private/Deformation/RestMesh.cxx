@@ -7,7 +7,7 @@
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Surface/SurfaceInput.h"
-#include "Private/Surface/SurfaceOperators.h"
+#include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 

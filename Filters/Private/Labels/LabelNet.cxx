@@ -13,9 +13,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = LabelNet::Vector;
-using vectors::Cross;
-using vectors::Dot;
+using namespace vectors;
 
 /// Taubin's factors: long waves keep their height.
 constexpr double Inwards = .5;

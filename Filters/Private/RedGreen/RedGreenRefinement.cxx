@@ -73,21 +73,10 @@ void RedGreenRun::Read(bool trustStamp)
 
 void RedGreenRun::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(
-    this->Input, this->Options.GenerateOriginalIds, this->Mesh.CarriesOriginals());
-  arrays.Warn = [this](const std::string& warning) { this->Warn(warning); };
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
   const ControlMesh& control = this->Mesh.Control;
   this->GivenCoordinates.clear();
-  this->Points = std::make_unique<PointArrays>(this->Input, control.Cells, control.GetGlobalIds(),
-    static_cast<vtkIdType>(control.GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(this->Options, this->Input, control.Cells, control.GlobalIds,
+    this->Mesh.CarriesOriginals(), [this](const std::string& warning) { this->Warn(warning); });
 }
 
 /// How many cells the output may have, by the option and by the memory that there is.

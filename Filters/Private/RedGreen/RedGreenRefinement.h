@@ -21,7 +21,6 @@ struct RedGreenOptions : RunOptions
   RefinementOptions Criteria;
   bool LimitPlacement = false;
   StampScheme Scheme = StampScheme::BoxSpline; ///< of the limit
-  bool GenerateLimitNormals = false;           ///< with LimitPlacement
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

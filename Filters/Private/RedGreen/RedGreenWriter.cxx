@@ -88,10 +88,6 @@ void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
   options.CarryOriginalIds = mesh.CarriesOriginals() &&
     HasIds(input->GetCellData(), OriginalCellIdsName, input->GetNumberOfCells());
   options.Replaced = { LevelName, KindName, GreenParentName };
-  if (!options.CarryOriginalIds)
-  {
-    options.Replaced.emplace_back(OriginalCellIdsName);
-  }
   options.Warn = run.Warn;
   WarnOfReplaced(input, mesh, run);
   CopyCellArrays(input, sources, options, output);

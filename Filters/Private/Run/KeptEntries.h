@@ -16,37 +16,52 @@
 namespace subdivision
 {
 
-/// An entry has a member Used, and a method GetMemorySize.
-template <typename Entry>
+/// What is kept of one mesh.
+struct KeptEntry
+{
+  virtual ~KeptEntry() = default;
+  virtual std::size_t GetMemorySize() const = 0;
+
+  bool Used = true;
+};
+
 class KeptEntries
 {
 public:
-  /// Finds an entry that `fits` takes; null if there is none.
-  template <typename Fits>
+  /// Finds an entry of a type that `fits` takes; null if there is none.
+  template <typename Entry, typename Fits>
   Entry* Find(const Fits& fits) const
   {
-    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-      [&fits](const std::unique_ptr<Entry>& entry) { return fits(*entry); });
-    return found == this->Entries.end() ? nullptr : found->get();
+    for (const std::unique_ptr<KeptEntry>& kept : this->Entries)
+    {
+      auto* const entry = dynamic_cast<Entry*>(kept.get());
+      if (entry && fits(*entry))
+      {
+        return entry;
+      }
+    }
+    return nullptr;
   }
   /// The same among entries that are not used yet. Where each entry serves one input of an update,
   /// two blocks with equal cells each keep one with their own points.
-  template <typename Fits>
+  template <typename Entry, typename Fits>
   Entry* FindUnused(const Fits& fits) const
   {
-    return this->Find([&fits](const Entry& entry) { return !entry.Used && fits(entry); });
+    return this->Find<Entry>([&fits](const Entry& entry) { return !entry.Used && fits(entry); });
   }
+  template <typename Entry>
   Entry* Add(std::unique_ptr<Entry> entry)
   {
+    Entry* const added = entry.get();
     this->Entries.push_back(std::move(entry));
-    return this->Entries.back().get();
+    return added;
   }
   void Clear() { this->Entries.clear(); }
   /// Forgets the entries that were not used since the last call.
   void ForgetUnused()
   {
     this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                          [](const std::unique_ptr<Entry>& entry) { return !entry->Used; }),
+                          [](const std::unique_ptr<KeptEntry>& entry) { return !entry->Used; }),
       this->Entries.end());
     for (const auto& entry : this->Entries)
     {
@@ -68,7 +83,7 @@ public:
   vtkIdType NumberOfBuilds = 0;
 
 private:
-  std::vector<std::unique_ptr<Entry>> Entries;
+  std::vector<std::unique_ptr<KeptEntry>> Entries;
 };
 
 }

@@ -11,6 +11,7 @@
 #include "Private/Run/Features.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,12 @@ class vtkPointSet;
 namespace subdivision
 {
 
+class KeptEntries;
 class MatrixFactors;
 class Partners;
 class ToldWarnings;
+struct CellSplits;
+struct PlaceRequest;
 
 /// From where to where the progress of a filter goes during a part of its work.
 struct ProgressPart
@@ -38,6 +42,8 @@ struct RunOptions
   bool InterpolateIntegers = false;
   bool GenerateOriginalIds = false;
   bool GenerateGlobalIds = false;
+  bool GenerateLimitNormals = false;
+  bool GenerateTangents = false;
   int OutputPointsPrecision = 2;
   vtkIdType MaximumNumberOfCells = 500000000;
   FeatureOptions Features;
@@ -61,12 +67,38 @@ struct RunOptions
   MatrixFactors* Factors = nullptr;
   /// A further text in the warning of missing values (MissingValues.h).
   std::string* NoteOfMissing = nullptr;
+
+  /// Whether something is computed from points before they are projected.
+  bool HasFrames() const { return this->GenerateLimitNormals || this->GenerateTangents; }
+};
+
+/// The options of the filters that make a number of levels.
+struct LevelOptions : RunOptions
+{
+  int Levels = 1;
+  bool ProjectToLimit = false;
+  bool Use32BitIds = false;
+  /// Where operators and levels are kept; null: nowhere.
+  KeptEntries* Cache = nullptr;
+  /// Null, or places that are wanted, not an output.
+  const PlaceRequest* Places = nullptr;
+  /// Null, or of which cells children are wanted; then there is no stamp, and nothing is kept.
+  CellSplits* Splits = nullptr;
+
+  bool ReadsLimit() const { return this->ProjectToLimit || this->HasFrames(); }
 };
 
 inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
 {
   return options.FindPartners ? options.FindPartners(mesh) : nullptr;
 }
+
+/// Starts the points of an input and their arrays; `cells` and `globalIds`, which have to live on,
+/// as in PointArrays. `isContinued`: an earlier filter of this kind made the input. `replaced`:
+/// arrays that the filter makes itself, beside normals and tangents.
+std::unique_ptr<PointArrays> StartPointArrays(const RunOptions& options, vtkPointSet* input,
+  const SimplicesOfCells& cells, const std::vector<vtkIdType>& globalIds, bool isContinued,
+  const std::function<void(const std::string&)>& warn, std::vector<std::string> replaced = {});
 
 /// Passes warnings that were collected to Warn, and forgets them.
 inline void Tell(std::vector<std::string>& warnings, const RunOptions& options)

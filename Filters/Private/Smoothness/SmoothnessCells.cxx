@@ -220,15 +220,4 @@ bool SmoothnessCells::WriteMap(const StarMap& map, vtkUnstructuredGrid* output) 
   return true;
 }
 
-PointArrayOptions GetPointOptions(
-  vtkPointSet* input, const SmoothnessOptions& options, bool carriesIds)
-{
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = options.InterpolateIntegers;
-  arrays.ChooseOriginalIds(input, options.GenerateOriginalIds, carriesIds);
-  arrays.Precision = options.OutputPointsPrecision;
-  arrays.Replaced.emplace_back(FailingName);
-  return arrays;
-}
-
 }

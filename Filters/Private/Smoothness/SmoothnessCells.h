@@ -70,10 +70,6 @@ private:
   std::vector<Cell> Cells;
 };
 
-/// The options for the points and point arrays of an output that has the points of the input.
-PointArrayOptions GetPointOptions(
-  vtkPointSet* input, const SmoothnessOptions& options, bool carriesIds);
-
 }
 
 #endif

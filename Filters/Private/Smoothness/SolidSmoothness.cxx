@@ -426,9 +426,8 @@ private:
         "An earlier filter made the input with another VolumeScheme. This filter takes it as any "
         "other mesh: it looks for features again, and octahedra are four tetrahedra each.");
     }
-    this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
-      this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()),
-      GetPointOptions(this->Input, this->Options, this->Mesh.IsStamped));
+    this->Points = StartPointArrays(this->Options, this->Input, this->Mesh.Cells,
+      this->Mesh.GlobalIds, this->Mesh.IsStamped, nullptr, { FailingName });
     if (!this->Mesh.IsStamped && scheme.OrdersTets)
     {
       OrderTets(this->Mesh.Cells.Simplices, this->Points->GetCoordinates(),

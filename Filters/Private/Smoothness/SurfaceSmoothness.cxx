@@ -344,9 +344,8 @@ private:
     }
     SimplicesOfCells noCentres;
     noCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
-    PointArrays points(
-      this->Input, noCentres, nullptr, 0, GetPointOptions(this->Input, this->Options, false));
-    points.Finish(this->Output);
+    StartPointArrays(this->Options, this->Input, noCentres, {}, false, nullptr, { FailingName })
+      ->Finish(this->Output);
     cells.Write(this->Output);
     return true;
   }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCache.h
- * The cache of a surface filter between executions: for each mesh that it saw in its last update,
- * the levels and the output's cells.
+ * What a surface filter keeps of a mesh between executions: the levels and the output's cells.
  */
 #ifndef SubdivisionObjects_SurfaceCache_h
 #define SubdivisionObjects_SurfaceCache_h
@@ -48,19 +47,18 @@ struct SurfaceKey
   }
 };
 
-/// The levels of one mesh, for either type of ids.
-struct KeptSurface
+/// The levels of one mesh.
+template <typename Id>
+struct KeptSurface : KeptEntry
 {
-  virtual ~KeptSurface() = default;
-  virtual std::size_t GetMemorySize() const = 0;
-
   SurfaceKey Key;
   std::vector<std::string> Warnings;   ///< of open points
   vtkSmartPointer<vtkCellArray> Verts; ///< the cells of the output, once they are written
   vtkSmartPointer<vtkCellArray> Lines;
   vtkSmartPointer<vtkCellArray> Polys;
   SharedArrays Handed; ///< their arrays, which the output has
-  bool Used = true;
+  std::unique_ptr<SurfaceSteps<Id>> Steps;
+  std::unique_ptr<SurfaceSteps<Id>> Control; ///< the control level alone, if its limits are needed
 
   std::vector<vtkDataArray*> ListArrays() const
   {
@@ -74,23 +72,12 @@ struct KeptSurface
   }
   /// Whether there are cells, and nobody wrote into the output's ones.
   bool HasCells() const { return this->Polys && this->Handed.Hold(this->ListArrays()); }
-};
-
-template <typename Id>
-struct KeptSurfaceOf : KeptSurface
-{
   std::size_t GetMemorySize() const override
   {
     return (this->Steps ? this->Steps->GetMemorySize() : 0) +
       (this->Control ? this->Control->GetMemorySize() : 0) +
       sizeof(vtkIdType) * this->Key.Cells.Corners.size();
   }
-  std::unique_ptr<SurfaceSteps<Id>> Steps;
-  std::unique_ptr<SurfaceSteps<Id>> Control; ///< the control level alone, if its limits are needed
-};
-
-class SurfaceCache : public KeptEntries<KeptSurface>
-{
 };
 
 }

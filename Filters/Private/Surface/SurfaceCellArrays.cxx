@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Surface/SurfaceCellArrays.h"
+// The cell data of a subdivision of a surface, from cells to their children.
+#include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
@@ -9,7 +10,6 @@
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -225,92 +225,45 @@ private:
   std::map<std::pair<int, int>, Buffer<vtkIdType>> Known;
 };
 
-/// Adds copy(array) for each array of `input` that can be used to `to`. `sources()`: for each cell
-/// of the output the cell of the input from which it comes.
-template <typename Sources, typename Copy>
-void CopyArrays(vtkPolyData* input, bool originals, const RunOptions& options,
-  const Sources& sources, const Copy& copy, vtkCellData* to)
-{
-  vtkCellData* from = input->GetCellData();
-  const bool hasGlobalIds =
-    from->GetGlobalIds() && AreAllCells(sources(), input->GetNumberOfCells());
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = from->GetAbstractArray(i);
-    const std::string name = array->GetName() ? array->GetName() : "";
-    if ((array != from->GetGlobalIds() || hasGlobalIds || options.GenerateOriginalIds) &&
-      array != from->GetNormals() && // cells move
-      !(originals && name == OriginalCellIdsName) &&
-      HasTuples(array, input->GetNumberOfCells(), "cell", options.Warn))
-    {
-      AddLike(from, i, copy(array), to);
-    }
-  }
-  if (!hasGlobalIds) // children have the ids of their cell
-  {
-    to->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  }
 }
 
-}
-
-void CopySurfaceCellArrays(vtkPolyData* input, const Buffer<vtkIdType>& sources, bool originals,
-  const RunOptions& options, vtkPolyData* output)
-{
-  vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
-  const Row<vtkIdType> row{ sources.begin(), sources.end() };
-  CopyArrays(
-    input, originals, options, [&] { return row; },
-    [&](vtkAbstractArray* array) { return Gather(array, row); }, to);
-  if (originals)
-  {
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName(OriginalCellIdsName);
-    ids->SetNumberOfTuples(sources.size());
-    std::copy(sources.begin(), sources.end(), ids->GetPointer(0));
-    AddInstead(from, ids, to);
-  }
-}
-
+/// Copies every cell array of the input to the cells of the last level. The sharpness of lines is
+/// reduced.
 template <typename Id>
-void CopySurfaceCellArrays(vtkPolyData* input, const SurfaceCells& cells,
-  const SurfaceSteps<Id>& steps, int firstStep, bool goesOn, const RunOptions& options,
-  CarriedCells& carried, vtkPolyData* output)
+void SurfaceRun<Id>::CopyCellData()
 {
-  vtkCellData* from = input->GetCellData();
-  vtkCellData* to = output->GetCellData();
-  const bool hasOriginals = goesOn && HasIds(from, OriginalCellIdsName, input->GetNumberOfCells());
-  const bool originals = options.GenerateOriginalIds && !hasOriginals;
-  SurfaceSources<Id> sources(cells, steps, firstStep, carried);
+  CellArrayOptions arrays;
+  arrays.PointsMove = true;
+  arrays.OriginalIds = this->Options.GenerateOriginalIds;
+  arrays.CarryOriginalIds = this->Stamp.Levels > 0 &&
+    HasIds(this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
+  arrays.Warn = this->Options.Warn;
+  SurfaceSources<Id> sources(this->Cells, *this->Steps, this->MadeLevels, this->Stamp.Carried);
   CarriedCells next;
-  sources.FindChanged(input);
-  CopyArrays(
-    input, originals, options,
+  sources.FindChanged(this->Input);
+  CopyCellArrays(
+    this->Input, arrays, [&](vtkAbstractArray* array) { return sources.Copy(array, next); },
+    [&] { return sources.CopyIds(OriginalCellIdsName, next); },
     [&]
     {
-      const Buffer<vtkIdType>& cellsOfInput = sources.GetSources();
-      return Row<vtkIdType>{ cellsOfInput.begin(), cellsOfInput.end() };
+      const Buffer<vtkIdType>& cells = sources.GetSources();
+      return AreAllCells({ cells.begin(), cells.end() }, this->Input->GetNumberOfCells());
     },
-    [&](vtkAbstractArray* array) { return sources.Copy(array, next); }, to);
-  if (originals)
+    this->Output);
+  this->Stamp.Carried = std::move(next);
+  if (vtkDataArray* given = this->Options.Features.Sharpness)
   {
-    AddInstead(from, sources.CopyIds(OriginalCellIdsName, next), to);
-  }
-  carried = std::move(next);
-  if (vtkDataArray* given = options.Features.Sharpness)
-  {
-    vtkDataArray* sharpness = to->GetArray(given->GetName());
-    const vtkIdType first = static_cast<vtkIdType>(cells.VertexCells.size());
-    const vtkIdType lines = steps.GetLevel(steps.GetNumberOfSteps()).Lines.size();
+    vtkDataArray* sharpness = this->Output->GetCellData()->GetArray(given->GetName());
+    const vtkIdType first = static_cast<vtkIdType>(this->Cells.VertexCells.size());
+    const vtkIdType lines = GetLast(*this->Steps).Lines.size();
+    const int steps = this->Steps->GetNumberOfSteps() - this->MadeLevels;
     for (vtkIdType i = first; sharpness && i < first + lines; ++i)
     {
-      sharpness->SetComponent(
-        i, 0, std::max(sharpness->GetComponent(i, 0) - (steps.GetNumberOfSteps() - firstStep), 0.));
+      sharpness->SetComponent(i, 0, std::max(sharpness->GetComponent(i, 0) - steps, 0.));
     }
   }
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CopySurfaceCellArrays);
+SUBDIVISION_COMPILE(class SurfaceRun);
 
 }

@@ -87,14 +87,13 @@ double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceScheme<int>& scheme, const SurfaceOptions& options, const SurfaceSize& size)
 {
   const FaceMemory ofFace = scheme.GetFaceMemory();
-  const bool hasFrames = options.GenerateLimitNormals || options.GenerateTangents;
-  const bool readsLimits = options.ProjectToLimit || hasFrames;
+  const bool readsLimits = options.ReadsLimit();
   const bool isSmooth =
     !(scheme.UsesTags() && HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
-  const double beside = hasFrames ? ofFace.Frames
-    : readsLimits                 ? ofFace.Limits
-    : isSmooth                    ? ofFace.Smooth
-                                  : ofFace.Sharp;
+  const double beside = options.HasFrames() ? ofFace.Frames
+    : readsLimits                           ? ofFace.Limits
+    : isSmooth                              ? ofFace.Smooth
+                                            : ofFace.Sharp;
   const double items = size.Faces + size.Lines;
   const double data = GetBytesPerTuple(input->GetPointData());
   const double frames =
@@ -140,7 +139,7 @@ struct DensePasses
 {
   DensePasses(const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
   {
-    const bool hasTangents = options.GenerateLimitNormals || options.GenerateTangents;
+    const bool hasTangents = options.HasFrames();
     const double levels = options.Levels;
     switch (scheme.GetDenseRows())
     {

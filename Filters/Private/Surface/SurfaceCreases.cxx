@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Memory/Vectors.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"
@@ -11,7 +12,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -23,17 +23,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+using namespace vectors;
 
 /// A vector in the plane of a face that points from the edge of `corner` into the face: the mean
 /// normal of the face times the edge.
@@ -42,9 +32,8 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
 {
   auto between = [&](Id from, Id to)
   {
-    const double* a = points + 3 * static_cast<vtkIdType>(mesh.Vertices[from]);
-    const double* b = points + 3 * static_cast<vtkIdType>(mesh.Vertices[to]);
-    return Vector{ b[0] - a[0], b[1] - a[1], b[2] - a[2] };
+    return Subtract(points + 3 * static_cast<vtkIdType>(mesh.Vertices[to]),
+      points + 3 * static_cast<vtkIdType>(mesh.Vertices[from]));
   };
   Vector normal{ 0., 0., 0. };
   const Id after = mesh.Next(corner);
@@ -58,6 +47,21 @@ Vector FindHeight(const PolygonMesh<Id>& mesh, Id corner, const double* points)
     }
   }
   return Cross(normal, between(corner, after));
+}
+
+/// The ends of the edges that `isWanted` takes.
+template <typename Id, typename IsWanted>
+std::vector<vtkIdType> ListEdges(const PolygonMesh<Id>& mesh, const IsWanted& isWanted)
+{
+  std::vector<vtkIdType> pairs;
+  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
+  {
+    if (isWanted(e))
+    {
+      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
+    }
+  }
+  return pairs;
 }
 
 template <typename Id>
@@ -85,15 +89,7 @@ std::vector<vtkIdType> FindFeatureEdges(
         turns[e] = std::acos(cosine) > least;
       }
     });
-  std::vector<vtkIdType> pairs;
-  for (const vtkIdType e : InTurn(turns.size()))
-  {
-    if (turns[e])
-    {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
-  return pairs;
+  return ListEdges(mesh, [&](vtkIdType e) { return turns[e] != 0; });
 }
 
 template <typename Id>
@@ -103,17 +99,13 @@ std::vector<vtkIdType> FindInterfaceEdges(
   const std::vector<int> numbers = NumberMaterials(materials);
   auto materialOf = [&](Id corner)
   { return numbers[static_cast<std::size_t>(faceCells[mesh.GetFace(corner)])]; };
-  std::vector<vtkIdType> pairs;
-  for (const vtkIdType e : InTurn(mesh.GetNumberOfEdges()))
-  {
-    const Id corner = mesh.EdgeCorners[e];
-    const Id twin = corner < 0 ? corner : mesh.Twins[corner];
-    if (twin >= 0 && materialOf(corner) != materialOf(twin))
+  return ListEdges(mesh,
+    [&](vtkIdType e)
     {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
-  return pairs;
+      const Id corner = mesh.EdgeCorners[e];
+      const Id twin = corner < 0 ? corner : mesh.Twins[corner];
+      return twin >= 0 && materialOf(corner) != materialOf(twin);
+    });
 }
 
 }
@@ -219,14 +211,8 @@ void AddSharpEdges(const PolygonMesh<Id>& mesh, const SharpPairs& pairs, Surface
 template <typename Id>
 std::vector<vtkIdType> ListSharpEdges(const PolygonMesh<Id>& mesh, const SurfaceFeatures& features)
 {
-  std::vector<vtkIdType> pairs;
-  for (const std::size_t e : InTurn(features.SharpEdges.size()))
-  {
-    if (features.SharpEdges[e])
-    {
-      pairs.insert(pairs.end(), { mesh.EdgeVertices[2 * e], mesh.EdgeVertices[2 * e + 1] });
-    }
-  }
+  std::vector<vtkIdType> pairs = ListEdges(mesh, [&](vtkIdType e)
+    { return !features.SharpEdges.empty() && features.SharpEdges[static_cast<std::size_t>(e)]; });
   for (const std::size_t v : InTurn(features.Corners.size()))
   {
     if (features.Corners[v])

@@ -8,10 +8,8 @@
 
 #include "Core/Operators/TangentErrors.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
-#include "Private/ArrayNames.h"
 
 class vtkDataArray;
-class vtkPolyData;
 
 namespace subdivision
 {
@@ -50,14 +48,6 @@ template <typename Id>
 void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned, const double* points,
   TangentPairs& tangents);
-
-/// Adds the arrays of normals and tangents, of the type of `points`, to the output. `sources`: the
-/// vertex whose normal and tangents each output point takes; empty: its own.
-void AddLimitFrames(const TangentPairs& tangents, vtkDataArray* points,
-  const Buffer<vtkIdType>& sources, bool twoTangents, vtkPolyData* input, vtkPolyData* output);
-
-/// Puts these arrays behind the input's arrays, once the output has them.
-void MoveLimitFramesToEnd(vtkPolyData* output);
 
 }
 

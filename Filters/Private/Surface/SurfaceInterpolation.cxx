@@ -18,7 +18,7 @@ bool SurfaceRun<Id>::Interpolates() const
 /// Makes the level of `cells` alone, for its limits, or finds it kept.
 template <typename Id>
 void SurfaceRun<Id>::MakeControl(
-  const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept)
+  const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurface<Id>* kept)
 {
   this->Control = nullptr;
   if (!this->Interpolates())

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Surface/SurfaceOperators.h"
+// The operators of a subdivision surface without an output.
+#include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Reading/PolygonEars.h"
 #include "Private/Surface/SurfaceChecks.h"
-#include "Private/Surface/SurfaceRun.h"
 
 #include "vtkNew.h"
 #include "vtkPoints.h"

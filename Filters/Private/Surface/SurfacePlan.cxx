@@ -85,27 +85,13 @@ void SurfaceRun<Id>::ForgetStamp()
 template <typename Id>
 void SurfaceRun<Id>::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Stamp.Levels > 0);
-  arrays.Warn = [this](const std::string& warning) { this->Warnings.push_back(warning); };
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
-  }
   this->GlobalIds = this->Stamp.GlobalIds.empty()
     ? ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints())
     : this->Stamp.GlobalIds;
   this->NoCentres.Simplices.NumberOfPoints = this->Input->GetNumberOfPoints();
-  this->Points = std::make_unique<PointArrays>(this->Input, this->NoCentres,
-    this->GlobalIds.empty() ? nullptr : this->GlobalIds.data(),
-    static_cast<vtkIdType>(this->GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(this->Options, this->Input, this->NoCentres, this->GlobalIds,
+    this->Stamp.Levels > 0,
+    [this](const std::string& warning) { this->Warnings.push_back(warning); });
 }
 
 template <typename Id>
@@ -125,14 +111,6 @@ SurfaceTags<Id> SurfaceRun<Id>::Classify(
     }
   }
   return tags;
-}
-
-template <typename Id>
-KeptSurfaceOf<Id>* SurfaceRun<Id>::FindKept(const SurfaceKey& key)
-{
-  return dynamic_cast<KeptSurfaceOf<Id>*>(
-    this->Options.Cache->FindUnused([&key](const KeptSurface& kept)
-      { return dynamic_cast<const KeptSurfaceOf<Id>*>(&kept) && kept.Key == key; }));
 }
 
 /// The warnings of cells that come apart, in a level that is not joined by seams.
@@ -176,7 +154,7 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
     2. * static_cast<double>(cells.SegmentCells.size()) +
     this->Scheme->CountFaces(
       static_cast<double>(cells.GetNumberOfFaces()), static_cast<double>(cells.Corners.size()), 1);
-  if (!this->Options.Splits || this->MadeLevels > 0 || this->WantsFrames() ||
+  if (!this->Options.Splits || this->MadeLevels > 0 || this->Options.HasFrames() ||
     this->Options.Factors || this->Options.HasMaterialFields || this->Joined ||
     &cells == &this->JoinedMesh.Cells || FindPartners(this->Options, this->Input) ||
     children != static_cast<double>(this->Options.Splits->Flags[0].size()))
@@ -195,16 +173,17 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
 /// stop.
 template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
-  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& found)
+  const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
   SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
-    this->Options.Features.Weights, this->Options.Levels, this->NeedsLimit(),
+    this->Options.Features.Weights, this->Options.Levels, this->Options.ReadsLimit(),
     this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
-  KeptSurfaceOf<Id>* kept = nullptr;
+  KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
     key.Cells = cells;
-    kept = this->FindKept(key);
+    kept = this->Options.Cache->template FindUnused<KeptSurface<Id>>(
+      [&key](const KeptSurface<Id>& entry) { return entry.Key == key; });
   }
   SurfaceLevel<Id> fresh;
   if (!kept)
@@ -238,7 +217,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     const ClaimedLevel claimed = this->GetClaimedLevel();
     const int firstLeft = this->FindFirstLeft(cells, creases.Sharpness);
     auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->NeedsLimit(), this->Options.Progress, claimed,
+      this->GetAllLevels(), this->Options.ReadsLimit(), this->Options.Progress, claimed,
       firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
     steps = own.get();
     const int made = steps->GetNumberOfSteps();
@@ -249,7 +228,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     }
     if (this->Options.Cache)
     {
-      auto keep = std::make_unique<KeptSurfaceOf<Id>>();
+      auto keep = std::make_unique<KeptSurface<Id>>();
       keep->Key = std::move(key);
       keep->Warnings = open;
       keep->Steps = std::move(own);
@@ -367,7 +346,7 @@ bool SurfaceRun<Id>::Build()
   this->KeepControlCoordinates();
   if (this->MadeLevels == 0 && this->FindSeams())
   {
-    KeptSurface* kept = nullptr;
+    KeptSurface<Id>* kept = nullptr;
     this->Joined = this->MakeSteps(this->JoinedMesh.Cells, this->JoinedMesh.Cells, kept);
     if (!this->Joined)
     {
@@ -417,15 +396,20 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   }
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
-  const TangentPairs tangents =
-    this->WantsFrames() ? this->FindFrames(*this->Joined, turned, points) : TangentPairs(0);
+  if (this->Options.HasFrames())
+  {
+    TangentPairs tangents = this->FindFrames(*this->Joined, turned, points);
+    for (Buffer<double>* values : { tangents.Values, tangents.Values + 1, &tangents.Normals })
+    {
+      Buffer<double> taken(values->empty() ? 0 : 3 * sources.size());
+      ForEach(taken.size(), [&](vtkIdType i) { taken[i] = (*values)[3 * sources[i / 3] + i % 3]; });
+      *values = std::move(taken);
+    }
+    this->SetFrames(tangents);
+  }
   if (this->Options.ProjectToLimit)
   {
     apply(this->Joined->GetLimit(LimitKind::Position));
-  }
-  if (this->WantsFrames())
-  {
-    this->AddFrames(tangents, points, sources);
   }
   if (this->Options.Factors)
   {

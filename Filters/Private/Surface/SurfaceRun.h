@@ -118,7 +118,6 @@ private:
     { return !array || array->GetComponent(a, 0) == array->GetComponent(b, 0); };
     return same(this->Options.Features.Singular) && same(this->Options.Features.Sharpness);
   }
-  bool NeedsLimit() const { return this->Options.ProjectToLimit || this->WantsFrames(); }
   bool IsStopped(double done) const
   {
     return this->Options.Progress && this->Options.Progress(done);
@@ -146,12 +145,11 @@ private:
   void StartPoints();
   bool Build();
   SurfaceSteps<Id>* MakeSteps(
-    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface*& kept);
+    const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& kept);
   void SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases);
   // Interpolation (SurfaceInterpolation.cxx).
   bool Interpolates() const;
-  void MakeControl(
-    const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurfaceOf<Id>* kept);
+  void MakeControl(const SurfaceCells& cells, const SurfaceCreases& creases, KeptSurface<Id>* kept);
   void Interpolate();
   /// The numbers of interpolation for the stamp.
   std::vector<vtkIdType> GetInterpolated() const
@@ -179,7 +177,6 @@ private:
   bool IsDescendant() const;
   SurfaceTags<Id> Classify(const SurfaceLevel<Id>& control, const SurfaceFeatures& features);
   std::vector<std::string> DescribeOpen(const SurfaceCells& cells, const SurfaceLevel<Id>& level);
-  KeptSurfaceOf<Id>* FindKept(const SurfaceKey& key);
   /// Whether only cells go on that are split (CellSplits.h).
   bool IsNarrow() const { return this->Options.Splits && !this->Options.Splits->Made.empty(); }
   void LeaveSplit();
@@ -210,10 +207,6 @@ private:
   bool FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
     std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells,
     std::vector<vtkIdType>& missing);
-  bool WantsFrames() const
-  {
-    return this->Options.GenerateLimitNormals || this->Options.GenerateTangents;
-  }
   Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;
@@ -222,13 +215,19 @@ private:
   {
     return FindLimitTangents(steps, turned, points, this->Options.GenerateLimitNormals);
   }
-  void AddFrames(
-    const TangentPairs& tangents, vtkDataArray* points, const Buffer<vtkIdType>& sources)
+  void SetFrames(const TangentPairs& tangents)
   {
-    AddLimitFrames(
-      tangents, points, sources, this->Options.GenerateTangents, this->Input, this->Output);
+    if (this->Options.GenerateLimitNormals)
+    {
+      this->Points->SetLimitNormals(tangents.Normals);
+    }
+    if (this->Options.GenerateTangents)
+    {
+      this->Points->SetLimitTangents(tangents.Values);
+    }
   }
   void WriteCells();
+  void CopyCellData(); // SurfaceCellArrays.cxx
   void WriteStamp();
 
   vtkPolyData* Input;
@@ -261,7 +260,7 @@ private:
   /// The control level, also of the joined mesh; null where their limits are not needed.
   SurfaceSteps<Id>* Control = nullptr;
   SurfaceSteps<Id>* JoinedControl = nullptr;
-  KeptSurface* Kept = nullptr;
+  KeptSurface<Id>* Kept = nullptr;
   std::vector<Sector<Id>> ControlSectors;
 };
 

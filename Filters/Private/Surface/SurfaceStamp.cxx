@@ -130,8 +130,7 @@ bool ReadSurfaceStamp(vtkPolyData* input, SurfaceStamp& stamp)
   stamp.Carried = ReadCarried(data, stamp.Levels);
   const SharpPairs& creases = stamp.Creases;
   return (creases.Sharpness.empty() || 2 * creases.Sharpness.size() == creases.Points.size()) &&
-    std::all_of(creases.Points.begin(), creases.Points.end(),
-      [&stamp](vtkIdType id) { return id >= 0 && id < stamp.NumberOfControlPoints; }) &&
+    AreControlPoints(creases.Points, stamp) &&
     (stamp.Size > 0 || static_cast<vtkIdType>(stamp.Sizes.size()) == stamp.NumberOfControlFaces) &&
     (stamp.GlobalIds.empty() ||
       static_cast<vtkIdType>(stamp.GlobalIds.size()) == stamp.NumberOfControlPoints);

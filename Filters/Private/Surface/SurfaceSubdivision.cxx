@@ -6,7 +6,6 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Partitions/Partners.h"
-#include "Private/Surface/SurfaceCellArrays.h"
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Values/SharedInterpolation.h"
 
@@ -51,7 +50,7 @@ bool SurfaceRun<Id>::Execute()
     this->LeaveSplit();
   }
   this->Interpolate();
-  const Buffer<unsigned char> turned = this->WantsFrames()
+  const Buffer<unsigned char> turned = this->Options.HasFrames()
     ? this->FindTurned(this->Joined ? *this->Joined : *this->Steps)
     : Buffer<unsigned char>();
   if (this->Joined)
@@ -99,7 +98,7 @@ bool SurfaceRun<Id>::Execute()
         static_cast<vtkIdType>(left.size()));
     }
   }
-  const bool addFrames = !this->Joined && this->WantsFrames();
+  const bool addFrames = !this->Joined && this->Options.HasFrames();
   const TangentPairs tangents =
     addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : TangentPairs(0);
   if (this->Options.ProjectToLimit)
@@ -113,18 +112,10 @@ bool SurfaceRun<Id>::Execute()
   }
   if (addFrames)
   {
-    this->AddFrames(tangents, this->Points->GetPoints(), Buffer<vtkIdType>());
+    this->SetFrames(tangents);
   }
   this->WriteCells(); // after the points: the last level but one takes no memory any more
   this->Points->Finish(this->Output);
-  if (this->WantsFrames())
-  {
-    MoveLimitFramesToEnd(this->Output);
-  }
-  if (this->Options.GenerateLimitNormals)
-  {
-    this->Output->GetPointData()->SetActiveNormals(LimitNormalsName);
-  }
   return true;
 }
 
@@ -132,8 +123,7 @@ bool SurfaceRun<Id>::Execute()
 template <typename Id>
 void SurfaceRun<Id>::Write()
 {
-  CopySurfaceCellArrays(this->Input, this->Cells, *this->Steps, this->MadeLevels,
-    this->Stamp.Levels > 0, this->Options, this->Stamp.Carried, this->Output);
+  this->CopyCellData();
   ClearMarks(this->Options.Features.Marks, this->Output);
   RebuildPointGhosts(this->Input, this->Output);
   if (!this->IsNarrow()) // the whole, which was made before, told of all points
@@ -212,11 +202,6 @@ bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
 {
   const auto scheme = MakeSurfaceScheme<int>(
     options.Scheme, options.Features.ModifiedBoundary, options.Features.Weights);
-  if (!scheme)
-  {
-    options.Fail("This scheme is not available.");
-    return false;
-  }
   SurfaceCells cells;
   bool isLarge = false;
   if (!ReadAndCheck(input, *scheme, options, cells, isLarge))

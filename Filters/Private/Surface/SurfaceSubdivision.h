@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_SurfaceSubdivision_h
 #define SubdivisionObjects_SurfaceSubdivision_h
 
+#include "Core/Operators/OperatorSequence.h"
 #include "Private/Run/RunOptions.h"
 #include "Private/Surface/SurfaceCache.h"
 
@@ -14,32 +15,34 @@ class vtkPolyData;
 namespace subdivision
 {
 
-struct CellSplits;
-struct PlaceRequest;
-
-struct SurfaceOptions : RunOptions
+/// Places (LevelOptions) are for schemes that FindSurfacePlaces knows.
+struct SurfaceOptions : LevelOptions
 {
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
-  int Levels = 1;
-  bool ProjectToLimit = false;
-  bool GenerateLimitNormals = false;
-  bool GenerateTangents = false;
-  bool Use32BitIds = false;
   bool JoinSeams = true;
   bool KeepsMerged = false; ///< seams of any values are joined, too
   /// A point array of the input, null where there is none: flatness s.
   vtkSmartPointer<vtkDataArray> Flatness;
-  /// Where levels are kept; null: nowhere.
-  SurfaceCache* Cache = nullptr;
-  /// Null, or places that are wanted, not an output, by schemes that FindSurfacePlaces knows.
-  const PlaceRequest* Places = nullptr;
-  /// Null, or of which cells children are wanted; then nothing is kept.
-  CellSplits* Splits = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
 /// empties the output.
 bool SubdivideSurface(vtkPolyData* input, const SurfaceOptions& options, vtkPolyData* output);
+
+/// The operators of a surface without an output, for who applies them to other points.
+struct SurfaceOperators
+{
+  std::unique_ptr<OperatorSequence> Steps; ///< null for no step
+  vtkSmartPointer<vtkDataArray> Points;    ///< after the steps, in double
+  /// After the steps, three corners each: faces as triangles (PolygonEars.h), then lines and
+  /// vertices, whose last corners are repeated.
+  Buffer<vtkIdType> Triangles;
+};
+
+/// Finds the operators, for a scheme that keeps vertices. Returns false after an error (passed to
+/// Fail) or if Progress asks to stop.
+bool FindSurfaceOperators(
+  vtkPolyData* input, const SurfaceOptions& options, SurfaceOperators& operators);
 
 /// How many layers of cells around its own a part of a mesh needs (Distribution.h). Cells of 4-8
 /// lie in two control cells, and limits of their points reach one cell farther.

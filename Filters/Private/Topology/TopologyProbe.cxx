@@ -183,12 +183,8 @@ bool Probe::Run()
 void Probe::Read(bool trustStamp)
 {
   this->Mesh = ReadControlMesh(this->Input, trustStamp, this->Options.Features);
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Mesh.IsStamped);
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
-    this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(this->Options, this->Input, this->Mesh.Cells,
+    this->Mesh.GlobalIds, this->Mesh.IsStamped, nullptr);
 }
 
 /// Builds the complex. Returns false if the stamp is wrong.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Uniform/KeptTypes.h"
+// Uniform linear refinement that keeps the types of cells.
+#include "Private/Uniform/UniformSubdivision.h"
 
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/TetOrder.h"
@@ -245,19 +246,6 @@ void WriteCells(const ShapedCells& cells, bool use32BitIds, vtkUnstructuredGrid*
   output->SetCells(types, array);
 }
 
-std::unique_ptr<PointArrays> MakePoints(vtkPointSet* input, const SimplicesOfCells& noCentres,
-  const std::vector<vtkIdType>& ids, const UniformOptions& options)
-{
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = options.InterpolateIntegers;
-  arrays.HasMaterialFields = options.HasMaterialFields;
-  arrays.ChooseOriginalIds(input, options.GenerateOriginalIds, false);
-  arrays.Warn = options.Warn;
-  arrays.Precision = options.OutputPointsPrecision;
-  return std::make_unique<PointArrays>(input, noCentres, ids.empty() ? nullptr : ids.data(),
-    static_cast<vtkIdType>(ids.size()), arrays);
-}
-
 /// The output's field data have no stamp: any filter may go on with the cells as they are.
 void RemoveStamp(vtkFieldData* data)
 {
@@ -281,10 +269,6 @@ void WriteCellData(vtkPointSet* input, const std::vector<vtkIdType>& sources,
   cells.Levels = options.Levels;
   cells.PointsMove = options.MovesPoints();
   cells.OriginalIds = options.GenerateOriginalIds;
-  if (cells.OriginalIds)
-  {
-    cells.Replaced.emplace_back(OriginalCellIdsName);
-  }
   cells.Warn = options.Warn;
   CopyCellArrays(input, ids, cells, output);
   RebuildPointGhosts(input, output);
@@ -363,7 +347,7 @@ bool RefineKeepingTypes(
   SimplicesOfCells noCentres;
   noCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   const std::vector<vtkIdType> ids = ReadIdsOf(input->GetPointData(), input->GetNumberOfPoints());
-  const auto points = MakePoints(input, noCentres, ids, options);
+  const auto points = StartPointArrays(options, input, noCentres, ids, false, options.Warn);
   Partners* others = options.GenerateGlobalIds ? FindPartners(options, input) : nullptr;
   const auto places = others ? PlaceCells(input, *others) : std::vector<vtkIdType>();
   WholeNumbers numbers;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/OperatorCache.h"
 
-#include <algorithm>
-
 namespace subdivision
 {
 
@@ -51,18 +49,6 @@ bool KeptOperator::HasCells() const
 bool KeptOperator::HasPoints() const
 {
   return this->PointsOut && this->HandedPoints.Hold({ this->PointsOut });
-}
-
-const KeptOperator* OperatorCache::FindCells(
-  const TopologyKey& key, const SimplexTuples& derived) const
-{
-  return this->Find(
-    [&](const KeptOperator& kept)
-    {
-      return kept.Key.HasSameCells(key) &&
-        std::equal(derived.Tuples, derived.Tuples + 3, kept.ControlDerived.Tuples) &&
-        kept.HasCells();
-    });
 }
 
 }

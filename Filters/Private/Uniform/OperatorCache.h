@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OperatorCache.h
- * The cache of a filter between executions: for each mesh that it saw in its last update, the
- * operators of all levels and the output's cells.
+ * What a filter keeps of a mesh between executions: the operators of all levels and the output's
+ * cells.
  */
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
@@ -20,6 +20,7 @@
 
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -156,6 +157,7 @@ struct TopologyKey
   WantedSimplices Wanted;
   /// Options, flags and values that choose rules, in a fixed order.
   std::vector<long long> Choices;
+  SharpTuples Derived; ///< marked simplices, or those of an earlier filter
 
   /// The same cells and steps, whatever the choices are.
   bool HasSameCells(const TopologyKey& other) const
@@ -169,12 +171,15 @@ struct TopologyKey
   }
   bool operator==(const TopologyKey& other) const
   {
-    return this->Choices == other.Choices && this->HasSameCells(other);
+    return this->Choices == other.Choices && this->HasSameCells(other) &&
+      std::equal(this->Derived.Tuples.Tuples, this->Derived.Tuples.Tuples + 3,
+        other.Derived.Tuples.Tuples) &&
+      std::equal(this->Derived.Sharpness, this->Derived.Sharpness + 3, other.Derived.Sharpness);
   }
   std::size_t GetMemorySize() const;
 };
 
-struct KeptOperator
+struct KeptOperator : KeptEntry
 {
   TopologyKey Key;
   std::unique_ptr<KeptSteps> Steps; ///< null for no step and no limit
@@ -198,7 +203,6 @@ struct KeptOperator
   bool IsUpright = false;   ///< with these points no solid is inside out
   SharedArrays HandedCells; ///< Cells and PointsOut, which the output has
   SharedArrays HandedPoints;
-  bool Used = true;
 
   /// Sets the arrays that the output has, after nothing else changes it.
   void HandOut(const UniformCells& cells, vtkDataArray* points);
@@ -206,15 +210,7 @@ struct KeptOperator
   bool HasCells() const;
   bool HasPoints() const;
 
-  std::size_t GetMemorySize() const;
-};
-
-class OperatorCache : public KeptEntries<KeptOperator>
-{
-public:
-  /// Finds an operator with the output cells of `key`, whose rules may differ; null if there is
-  /// none. The ids of cells depend only on the input cells and the derived singular simplices.
-  const KeptOperator* FindCells(const TopologyKey& key, const SimplexTuples& derived) const;
+  std::size_t GetMemorySize() const override;
 };
 
 }

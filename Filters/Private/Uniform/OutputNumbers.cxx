@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
 namespace subdivision
 {
@@ -51,7 +50,10 @@ public:
     this->Made.Numbers[0] = std::move(vertices.Ids);
     this->Made.Totals[0] = vertices.Total;
     this->NumberSimplices(steps);
-    this->NumberFaces();
+    const auto& complex = this->Complex;
+    this->NumberFaces<2>(complex.EdgeVertices, complex.NumberOfLineCells, complex.NumberOfEdges);
+    this->NumberFaces<3>(
+      complex.FaceVertices, complex.NumberOfTriangleCells, complex.NumberOfFaces);
     this->Made.Parts = this->FindParts(this->Wanted.Flags);
     for (const vtkIdType point : InTurn(this->Wanted.Points))
     {
@@ -195,83 +197,42 @@ private:
     std::copy_n(numbers.Totals.begin() + 1, 3, this->Made.Totals.begin() + 1);
   }
 
-  /// Of an edge or face its kind (derived edges, the others, and the same for faces), its first
-  /// vertex, and its place among those of this kind that begin there.
-  using Places = std::vector<std::array<vtkIdType, 3>>;
-
-  /// Numbers the edges and faces that are no control simplices. In the whole derived ones come
-  /// first, and all are in the order of their vertices. A partition knows all that begin at a
-  /// vertex of an own cell; so partitions tell each other only how many there are at each vertex.
-  /// Where layers end there are fewer than in the whole, and these get no number.
-  void NumberFaces()
-  {
-    const auto& complex = this->Complex;
-    SharedKeys vertices;
-    vertices.Keys = this->Made.Numbers[0];
-    std::replace(vertices.Keys.begin(), vertices.Keys.end(), vtkIdType(-1), vtkIdType(0));
-    for (const size_t v : InTurn(vertices.Keys.size()))
-    {
-      vertices.Own.push_back(this->Own.Kept[0][v] && this->Made.Numbers[0][v] >= 0);
-    }
-    vertices.Kinds = 4;
-    vertices.Sizes.assign(4 * vertices.Keys.size(), 0);
-    const Places edges = this->CountAtVertices<2>(
-      complex.EdgeVertices, complex.NumberOfLineCells, complex.NumberOfEdges, vertices.Sizes);
-    const Places faces = this->CountAtVertices<3>(
-      complex.FaceVertices, complex.NumberOfTriangleCells, complex.NumberOfFaces, vertices.Sizes);
-    const SharedNumbers found = NumberTogether(vertices, this->With);
-    this->TakeNumbers(1, edges, found);
-    this->TakeNumbers(2, faces, found);
-  }
-
-  /// Finds the places of edges or faces of which the first are control simplices, then `others`
-  /// the first that is not derived, and counts them.
+  /// Numbers the edges (2 vertices) or faces (3) that are no control simplices; `others`: the first
+  /// that is not derived, `last`: their end. In the whole derived ones come first, and all are in
+  /// the order of their vertices. A partition is sure of all that begin at a vertex of an own cell.
   template <int Size>
-  Places CountAtVertices(
-    const Buffer<Id>& verticesOfAll, vtkIdType others, vtkIdType last, Ids& counts) const
+  void NumberFaces(const Buffer<Id>& verticesOfAll, vtkIdType others, vtkIdType last)
   {
-    // the kind, the numbers of the vertices, and the first vertex
-    const auto given = static_cast<vtkIdType>(this->Made.Numbers[Size - 1].size());
-    std::vector<std::array<vtkIdType, Size + 2>> keys(static_cast<size_t>(last - given));
-    for (const size_t i : InTurn(keys.size()))
+    Ids& numbers = this->Made.Numbers[Size - 1];
+    const auto given = static_cast<vtkIdType>(numbers.size());
+    SharedKeys faces;
+    faces.Width = Size;
+    faces.Kinds = 2;
+    for (vtkIdType face = given; face < last; ++face)
     {
-      const vtkIdType face = given + static_cast<vtkIdType>(i);
-      const Id* vertices = verticesOfAll.data() + Size * face;
-      const auto first = keys[i].begin() + 1;
-      std::transform(
-        vertices, vertices + Size, first, [&](Id vertex) { return this->Made.Numbers[0][vertex]; });
-      keys[i][0] = 2 * Size - 4 + (face < others ? 0 : 1);
-      keys[i][Size + 1] = vertices[std::min_element(first, first + Size) - first];
-      std::sort(first, first + Size);
+      std::array<std::pair<vtkIdType, Id>, Size> corners;
+      for (int k = 0; k < Size; ++k)
+      {
+        const Id vertex = verticesOfAll[Size * face + k];
+        corners[k] = { this->Made.Numbers[0][vertex], vertex };
+      }
+      std::sort(corners.begin(), corners.end());
+      for (const auto& corner : corners)
+      {
+        faces.Keys.push_back(corner.first); // nobody keeps one that begins with -1
+      }
+      faces.Own.push_back(corners[0].first >= 0 && this->Own.Kept[0][corners[0].second]);
+      faces.Sizes.insert(faces.Sizes.end(), { face < others, face >= others });
     }
-    std::vector<size_t> order(keys.size());
-    std::iota(order.begin(), order.end(), size_t(0));
-    if (!std::is_sorted(keys.begin(), keys.end()))
+    const SharedNumbers found = NumberTogether(faces, this->With);
+    vtkIdType& total = this->Made.Totals[Size - 1];
+    for (vtkIdType face = given; face < last; ++face)
     {
-      std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return keys[a] < keys[b]; });
+      const bool isOther = face >= others;
+      const vtkIdType before = found.First[2 * (face - given) + isOther];
+      numbers.push_back(before < 0 ? -1 : total + (isOther ? found.Totals[0] : 0) + before);
     }
-    Places places(keys.size());
-    for (const size_t i : InTurn(order))
-    {
-      const vtkIdType kind = keys[i][0];
-      const vtkIdType vertex = keys[i][Size + 1];
-      places[i] = { kind, keys[i][1] < 0 ? -1 : vertex, counts[4 * vertex + kind]++ };
-    }
-    return places;
-  }
-
-  void TakeNumbers(int dimension, const Places& places, const SharedNumbers& found)
-  {
-    vtkIdType& total = this->Made.Totals[dimension];
-    Ids& numbers = this->Made.Numbers[dimension];
-    numbers.reserve(numbers.size() + places.size());
-    const vtkIdType derived = found.Totals[2 * dimension - 2];
-    for (const auto& [kind, vertex, place] : places)
-    {
-      const vtkIdType before = vertex < 0 ? -1 : found.First[4 * vertex + kind];
-      numbers.push_back(before < 0 ? -1 : total + kind % 2 * derived + before + place);
-    }
-    total += derived + found.Totals[2 * dimension - 1];
+    total += found.Totals[0] + found.Totals[1];
   }
 
   const ControlMesh& Mesh;

@@ -62,8 +62,8 @@ struct ControlNumbers
  * partitions call this together.
  *
  * The ids of children follow from the ids of their parents by arithmetic. So it is enough to number
- * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 14
- * exchanges, however many steps there are. About 100 bytes are sent for each control tetrahedron.
+ * the vertices, edges, faces and tetrahedra of the control mesh, each kind with NumberTogether: 16
+ * exchanges, however many steps there are. About 300 bytes are sent for each control tetrahedron.
  */
 template <typename Id>
 ControlNumbers NumberControl(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,

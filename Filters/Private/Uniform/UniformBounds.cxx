@@ -32,6 +32,7 @@ bool AddUniformBounds(
   {
     UniformOptions other;
     static_cast<RunOptions&>(other) = shared;
+    other.GenerateLimitNormals = other.GenerateTangents = false;
     other.Factors = factors;
     other.Levels = levels;
     other.Scheme = options.Scheme;

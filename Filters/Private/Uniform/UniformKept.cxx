@@ -10,8 +10,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cstring>
-#include <iterator>
 
 namespace subdivision
 {
@@ -86,29 +84,14 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices.push_back(this->Options.GenerateTangents);
   key.Choices.push_back(this->Interpolates());
   key.Choices.push_back(this->Points->HasWeights());
-  for (const auto& tuples : this->Mesh.Derived.Tuples.Tuples)
-  {
-    key.Choices.push_back(static_cast<long long>(tuples.size()));
-    // GCC 14 takes the length of an insert of a range for a negative one.
-    std::copy(tuples.begin(), tuples.end(), std::back_inserter(key.Choices));
-  }
-  for (const auto& values : this->Mesh.Derived.Sharpness)
-  {
-    key.Choices.push_back(static_cast<long long>(values.size()));
-    for (const double sharpness : InTurn(values))
-    {
-      long long bits = 0;
-      std::memcpy(&bits, &sharpness, sizeof(sharpness));
-      key.Choices.push_back(bits);
-    }
-  }
+  key.Derived = this->Mesh.Derived;
   return key;
 }
 
 /// The kept operator, if the same edges exceed the feature angle as when it was built.
 KeptOperator* UniformRun::FindKept(const TopologyKey& key)
 {
-  KeptOperator* found = this->Options.Cache->FindUnused(
+  KeptOperator* found = this->Options.Cache->FindUnused<KeptOperator>(
     [&](const KeptOperator& kept)
     {
       if (!(kept.Key == key))

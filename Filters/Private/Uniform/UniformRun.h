@@ -28,6 +28,10 @@ class vtkPolyData;
 namespace subdivision
 {
 
+/// The point arrays of GenerateClassification.
+constexpr const char* RuleName = "RuleDimension";
+constexpr const char* TypeName = "NonManifoldType";
+
 /// The cell array that marks solids which smoothing turned inside out.
 constexpr const char* InvertedName = "Inverted";
 

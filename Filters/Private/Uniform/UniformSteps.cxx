@@ -33,7 +33,14 @@ bool UniformRun::Execute()
   }
   if (this->Options.Cache)
   {
-    this->SameCells = this->Options.Cache->FindCells(this->Key, this->Control.Derived.Tuples);
+    // Rules may differ: ids of cells depend only on cells and on derived singular simplices.
+    const auto& derived = this->Control.Derived.Tuples.Tuples;
+    this->SameCells = this->Options.Cache->Find<KeptOperator>(
+      [&](const KeptOperator& kept)
+      {
+        return kept.Key.HasSameCells(this->Key) &&
+          std::equal(derived, derived + 3, kept.ControlDerived.Tuples) && kept.HasCells();
+      });
     this->ToKeep = std::make_unique<KeptOperator>();
     this->ToKeep->Key = std::move(this->Key);
     this->ToKeep->PointsIn.TakeReference(this->Points->GetPoints()->NewInstance());

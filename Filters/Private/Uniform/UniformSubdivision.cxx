@@ -10,8 +10,6 @@
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Run/StampFields.h"
-#include "Private/Uniform/Classification.h"
-#include "Private/Uniform/KeptTypes.h"
 #include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"
@@ -106,26 +104,14 @@ void UniformRun::Read(bool trustStamp)
 /// Starts points and arrays, and does all that needs coordinates of the control mesh.
 void UniformRun::StartPoints()
 {
-  PointArrayOptions arrays;
-  arrays.InterpolateIntegers = this->Options.InterpolateIntegers;
-  arrays.HasMaterialFields = this->Options.HasMaterialFields;
-  arrays.ChooseOriginalIds(this->Input, this->Options.GenerateOriginalIds, this->Mesh.IsStamped);
-  arrays.Warn = [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); };
-  arrays.Precision = this->Options.OutputPointsPrecision;
-  if (this->Options.GenerateLimitNormals)
-  {
-    arrays.Replaced.emplace_back(LimitNormalsName);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    arrays.Replaced.insert(arrays.Replaced.end(), { LimitTangentNames[0], LimitTangentNames[1] });
-  }
+  std::vector<std::string> replaced;
   if (this->Options.GenerateClassification)
   {
-    arrays.Replaced.insert(arrays.Replaced.end(), { RuleName, TypeName });
+    replaced = { RuleName, TypeName };
   }
-  this->Points = std::make_unique<PointArrays>(this->Input, this->Mesh.Cells,
-    this->Mesh.GetGlobalIds(), static_cast<vtkIdType>(this->Mesh.GlobalIds.size()), arrays);
+  this->Points = StartPointArrays(
+    this->Options, this->Input, this->Mesh.Cells, this->Mesh.GlobalIds, this->Mesh.IsStamped,
+    [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); }, replaced);
   this->Points->KeepColours(this->FindControlColours());
   this->FindWanted();
   if (this->Mesh.MadeLevels == 0)
@@ -248,10 +234,6 @@ void UniformRun::Write()
   cells.OriginalIds = this->Options.GenerateOriginalIds;
   cells.CarryOriginalIds = this->Mesh.IsStamped &&
     HasIds(this->Input->GetCellData(), OriginalCellIdsName, this->Input->GetNumberOfCells());
-  if (cells.OriginalIds && !cells.CarryOriginalIds)
-  {
-    cells.Replaced.emplace_back(OriginalCellIdsName);
-  }
   if (this->Cells.Octahedra)
   {
     cells.Replaced.emplace_back(this->Cells.Octahedra->GetName());
@@ -288,14 +270,6 @@ void UniformRun::Write()
   if (!this->IsNarrow)
   {
     this->WriteStamps();
-  }
-}
-
-void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)
-{
-  if (this->Options.GenerateClassification)
-  {
-    AddRules(vertices, edges, this->Input, this->Output);
   }
 }
 

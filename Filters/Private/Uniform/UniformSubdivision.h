@@ -16,38 +16,24 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-struct CellSplits;
-struct PlaceRequest;
-
-struct UniformOptions : RunOptions
+struct UniformOptions : LevelOptions
 {
-  int Levels = 1;
   StampScheme Scheme = StampScheme::BoxSpline; ///< of solids
   bool GenerateClassification = false;
-  bool ProjectToLimit = false;
-  bool GenerateLimitNormals = false;
-  bool GenerateTangents = false;
-  /// Whether something is computed from points before they are projected.
-  bool HasFrames() const { return this->GenerateLimitNormals || this->GenerateTangents; }
-  bool ReadsLimit() const { return this->ProjectToLimit || this->HasFrames(); }
   bool MovesPoints() const
   {
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
   }
-  bool Use32BitIds = false;
   bool KeepsCopies = false;   ///< all cells of a part, also of others, are made to the end
-  bool KeepCellTypes = false; ///< with StampScheme::Linear (KeptTypes.h)
-  /// Where operators are kept; null: nowhere.
-  OperatorCache* Cache = nullptr;
-  /// Null, or places that are wanted, not an output.
-  const PlaceRequest* Places = nullptr;
-  /// Null, or of which cells children are wanted; then there is no stamp, and nothing is kept.
-  CellSplits* Splits = nullptr;
+  bool KeepCellTypes = false; ///< with StampScheme::Linear
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
 /// empties the output.
 bool SubdivideUniformly(
+  vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
+/// The same with KeepCellTypes: linear refinement that keeps the types of cells (KeptTypes.cxx).
+bool RefineKeepingTypes(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
 
 /// The operators of the steps from one mesh, and the mesh after them.

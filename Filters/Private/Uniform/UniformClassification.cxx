@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Uniform/Classification.h"
+// The arrays of GenerateClassification.
+#include "Private/Uniform/UniformRun.h"
 
 #include "Private/Arrays/Arrays.h"
 
@@ -12,14 +13,19 @@
 namespace subdivision
 {
 
-void AddRules(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges, vtkPointSet* input,
-  vtkUnstructuredGrid* output)
+/// Adds both arrays of points. `vertices` and `edges` are the strata of the level before, whose
+/// edges have the new points.
+void UniformRun::AddClassification(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges)
 {
+  if (!this->Options.GenerateClassification)
+  {
+    return;
+  }
   vtkNew<vtkUnsignedCharArray> rules;
   vtkNew<vtkUnsignedCharArray> types;
   rules->SetName(RuleName);
   types->SetName(TypeName);
-  const vtkIdType size = output->GetNumberOfPoints();
+  const vtkIdType size = this->Output->GetNumberOfPoints();
   rules->SetNumberOfTuples(size);
   types->SetNumberOfTuples(size);
   ForEach(size,
@@ -33,8 +39,8 @@ void AddRules(const Buffer<Stratum>& vertices, const Buffer<Stratum>& edges, vtk
       rules->SetValue(i, static_cast<unsigned char>(regular ? Rule::Solid : stratum.GetRule()));
       types->SetValue(i, static_cast<unsigned char>(stratum.GetType()));
     });
-  AddInstead(input->GetPointData(), rules, output->GetPointData());
-  AddInstead(input->GetPointData(), types, output->GetPointData());
+  AddInstead(this->Input->GetPointData(), rules, this->Output->GetPointData());
+  AddInstead(this->Input->GetPointData(), types, this->Output->GetPointData());
 }
 
 }
