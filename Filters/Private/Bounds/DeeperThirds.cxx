@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Bounds/DeeperThirds.h"
+#include "Private/Bounds/DeeperCells.h"
 
-#include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
@@ -14,141 +13,67 @@
 #include "vtkSignedCharArray.h"
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
+#include <set>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-constexpr int Divisions = PieceLattice::DivisionsInThirds;
+using Part = DeeperCells::Part;
 
-}
-
-std::unique_ptr<DeeperThirds> DeeperThirds::Make(
-  const SteppedPieces& from, const std::vector<Part>& wanted, const SubdividePatch& subdivide)
+class CellsInThirds : public DeeperCells
 {
-  std::unique_ptr<DeeperThirds> made(new DeeperThirds(from));
-  made->ListParts(wanted);
-  if (!made->Split(made->CutOut(), subdivide))
+public:
+  /// The limit depends on two layers of triangles of the last step, which lie in one layer of
+  /// parts, and so do the rings there.
+  CellsInThirds(const SteppedPieces& from, const std::vector<Part>& wanted)
+    : DeeperCells(from)
   {
-    return nullptr;
+    this->ListParts(wanted);
   }
-  made->Wanted.assign(
-    made->Cells.begin(), made->Cells.begin() + static_cast<std::ptrdiff_t>(wanted.size()));
-  made->FindOld();
-  return made;
-}
+  /// Returns false where `subdivide` returns null.
+  bool Split(const SubdividePatch& subdivide);
 
-/// The limit depends on two layers of triangles of the last step, which lie in one layer of parts,
-/// and so do the rings there.
-void DeeperThirds::ListParts(const std::vector<Part>& wanted)
-{
-  std::vector<vtkIdType> corners;
-  for (const Part& part : InTurn(wanted))
-  {
-    this->AddPart(part);
-    const std::vector<vtkIdType> its = this->GetCornersOf(part);
-    corners.insert(corners.end(), its.begin(), its.end());
-  }
-  SortDistinct(corners);
-  for (const vtkIdType corner : InTurn(corners))
-  {
-    this->AddPartsAt(corner);
-  }
-}
+private:
+  using Ends = std::array<vtkIdType, 2>;
+  int GetDimension(const Part& part) const { return this->From.Pieces.GetDimension(part.Cell); }
+  std::set<Ends> ListFixedEdges() const;
+  vtkSmartPointer<vtkPolyData> CutOut();
 
-void DeeperThirds::AddPart(const Part& part)
-{
-  if (this->Known.insert(part).second)
-  {
-    this->Parts.push_back(part);
-  }
-}
-
-/// Adds all parts that have a point as a corner.
-void DeeperThirds::AddPartsAt(vtkIdType point)
-{
-  for (const vtkIdType place : this->From.AllSectors.GetPlaces(point))
-  {
-    Part part{ this->From.AllSectors.GetCell(place), 0 };
-    const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
-    const LatticePoint& at = lattice.Places[place - this->From.Pieces.GetFirstPlace(part.Cell)];
-    const auto children = static_cast<int>(lattice.Children.size());
-    for (; lattice.Dimension > 0 && part.Child < children; ++part.Child)
-    {
-      for (int k = 0; k < lattice.Corners; ++k)
-      {
-        if (lattice.Children[part.Child].At(lattice.CornerPlaces[k], 1) == at)
-        {
-          this->AddPart(part);
-        }
-      }
-    }
-  }
-}
-
-/// A point of the cells before, by its place in a part.
-vtkIdType DeeperThirds::GetPoint(const Part& part, const LatticePoint& place) const
-{
-  const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
-  return this->From.Pieces.GetPoint(this->From.Pieces.GetFirstPlace(part.Cell) +
-    lattice.Find(lattice.Children[part.Child].At(place, Divisions)));
-}
-
-std::vector<vtkIdType> DeeperThirds::GetCornersOf(const Part& part) const
-{
-  const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
-  std::vector<vtkIdType> corners;
-  for (int k = 0; k < lattice.Corners; ++k)
-  {
-    corners.push_back(this->GetPoint(part, lattice.Places[lattice.GetCornerPoint(k)]));
-  }
-  return corners;
-}
+  std::vector<vtkIdType> Cells; ///< of the parts, in the patch
+  MatrixFactors Factors;
+};
 
 /// The row of a point in the last two steps.
-std::vector<std::pair<vtkIdType, double>> DeeperThirds::GetRow(vtkIdType point) const
+Sectors::Entries GetLastRow(const SteppedPieces& from, vtkIdType point)
 {
-  std::vector<std::pair<vtkIdType, double>> row;
-  ForColumns(this->From.Last, this->From.Last.size(), point, 1.,
-    [&](vtkIdType column, double weight)
-    {
-      const auto at = std::find_if(
-        row.begin(), row.end(), [column](const auto& entry) { return entry.first == column; });
-      if (at == row.end())
-      {
-        row.emplace_back(column, weight);
-        return;
-      }
-      at->second += weight;
-    });
-  return row;
+  return GetRow(from.Last, point, [](vtkIdType column) { return column; });
 }
 
 /// Edges of triangles that are cut by points of which the nearer end is more than half, with one
 /// other point or two (a row of any other such point has the ends and both neighbours, or, around a
-/// vertex of two triangles, equal weights).
-std::set<DeeperThirds::Ends> DeeperThirds::ListFixedEdges() const
+/// vertex of two triangles, equal weights). What is fixed is read off the rows.
+std::set<CellsInThirds::Ends> CellsInThirds::ListFixedEdges() const
 {
   std::set<Ends> fixed;
   for (const Part& part : InTurn(this->Parts))
   {
-    const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
-    for (const PieceLattice::Middle& middle : lattice.Middles[2])
+    for (const PieceLattice::Middle& middle : this->GetLattice(part).Middles[2])
     {
-      const auto& parents = middle.Parents;
-      if (this->IsLine(part) || parents[0] != parents[1])
+      const auto& parents = middle.Parents; // of an edge: one of its ends is there twice
+      if (this->GetDimension(part) < 2 || (parents[0] != parents[1] && parents[1] != parents[2]))
       {
         continue;
       }
-      const auto row = this->GetRow(this->GetPoint(part, lattice.Places[middle.Point]));
+      const auto row = GetLastRow(this->From, this->GetOld(part, middle.Point));
       const bool isCurve = row.size() <= 3 &&
         std::any_of(row.begin(), row.end(), [](const auto& entry) { return entry.second > 0.5; });
       if (isCurve)
       {
-        Ends ends{ { this->GetPoint(part, lattice.Places[parents[0]]),
-          this->GetPoint(part, lattice.Places[parents[2]]) } };
+        Ends ends{ { this->GetOld(part, parents[0]), this->GetOld(part, parents[2]) } };
         std::sort(ends.begin(), ends.end());
         fixed.insert(ends);
       }
@@ -158,52 +83,58 @@ std::set<DeeperThirds::Ends> DeeperThirds::ListFixedEdges() const
 }
 
 /// Makes the parts a mesh, with a line on each fixed edge, and a vertex at each point that stays.
-vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
+vtkSmartPointer<vtkPolyData> CellsInThirds::CutOut()
 {
+  std::vector<vtkIdType> old;
   for (const Part& part : InTurn(this->Parts))
   {
-    const std::vector<vtkIdType> corners = this->GetCornersOf(part);
-    this->Old.insert(this->Old.end(), corners.begin(), corners.end());
-  }
-  SortDistinct(this->Old);
-  const vtkNew<vtkPoints> points;
-  const vtkNew<vtkCellArray> vertices;
-  const vtkNew<vtkCellArray> lines;
-  const vtkNew<vtkCellArray> triangles;
-  for (const vtkIdType old : InTurn(this->Old))
-  {
-    const vtkIdType number = points->InsertNextPoint(static_cast<double>(old), 0., 0.); // not used
-    if (this->GetRow(old).size() == 1)
+    for (int k = 0; k < this->GetLattice(part).Corners; ++k)
     {
-      vertices->InsertNextCell(1, &number);
+      old.push_back(this->GetOldCorner(part, k));
     }
   }
-  const auto insert = [this](vtkCellArray* cells, std::vector<vtkIdType> corners)
+  SortDistinct(old);
+  const vtkNew<vtkPoints> points;
+  const vtkNew<vtkCellArray> cells[3]; // by dimension
+  for (const vtkIdType point : InTurn(old))
   {
-    std::transform(corners.begin(), corners.end(), corners.begin(), [this](vtkIdType old)
-      { return std::lower_bound(this->Old.begin(), this->Old.end(), old) - this->Old.begin(); });
-    return cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+    const vtkIdType number =
+      points->InsertNextPoint(static_cast<double>(point), 0., 0.); // not used
+    if (GetLastRow(this->From, point).size() == 1)
+    {
+      cells[0]->InsertNextCell(1, &number);
+    }
+  }
+  const auto insert = [&](int dimension, const auto& getCorner)
+  {
+    vtkIdType corners[3]{};
+    for (int k = 0; k <= dimension; ++k)
+    {
+      corners[k] = std::lower_bound(old.begin(), old.end(), getCorner(k)) - old.begin();
+    }
+    return cells[dimension]->InsertNextCell(dimension + 1, corners);
   };
   for (const Part& part : InTurn(this->Parts))
   {
-    vtkCellArray* cells = this->IsLine(part) ? lines : triangles;
-    this->Cells.push_back(insert(cells, this->GetCornersOf(part)));
+    this->Cells.push_back(
+      insert(this->GetDimension(part), [&](int k) { return this->GetOldCorner(part, k); }));
   }
   for (const Ends& ends : this->ListFixedEdges())
   {
-    insert(lines, { ends[0], ends[1] });
+    insert(1, [&](int k) { return ends[k]; });
   }
-  const vtkIdType firstLine = vertices->GetNumberOfCells();
-  const vtkIdType firstTriangle = firstLine + lines->GetNumberOfCells();
+  const vtkIdType firstLine = cells[0]->GetNumberOfCells();
+  const vtkIdType firstTriangle = firstLine + cells[1]->GetNumberOfCells();
   for (const std::size_t p : InTurn(this->Parts.size()))
   {
-    this->Cells[p] += this->IsLine(this->Parts[p]) ? firstLine : firstTriangle;
+    const int dimension = this->GetDimension(this->Parts[p]);
+    this->Cells[p] += dimension == 2 ? firstTriangle : firstLine;
   }
   auto patch = vtkSmartPointer<vtkPolyData>::New();
   patch->SetPoints(points);
-  patch->SetVerts(vertices);
-  patch->SetLines(lines);
-  patch->SetPolys(triangles);
+  patch->SetVerts(cells[0]);
+  patch->SetLines(cells[1]);
+  patch->SetPolys(cells[2]);
   const vtkNew<vtkSignedCharArray> singular;
   singular->SetName(PatchSingularName);
   singular->SetNumberOfValues(patch->GetNumberOfCells());
@@ -215,49 +146,25 @@ vtkSmartPointer<vtkPolyData> DeeperThirds::CutOut()
   return patch;
 }
 
-bool DeeperThirds::Split(vtkPolyData* patch, const SubdividePatch& subdivide)
+bool CellsInThirds::Split(const SubdividePatch& subdivide)
 {
-  FourSqrtThreeSteps meshes;
-  for (std::size_t step = 0; step < meshes.size(); ++step)
+  const auto patch = this->CutOut();
+  this->Pieces = ReadThirds(
+    [&](int steps) { return subdivide(patch, steps, steps == 4 ? &this->Factors : nullptr); });
+  if (this->Pieces)
   {
-    meshes[step] = subdivide(
-      patch, static_cast<int>(step), step + 1 == meshes.size() ? &this->Factors : nullptr);
-    if (!meshes[step])
-    {
-      return false;
-    }
+    this->Finish(this->Cells, ListFactors(this->Factors, 2, 4));
   }
-  this->Pieces = std::make_unique<NestedPieces>(ReadThirds(meshes));
-  this->Last = ListFactors(this->Factors, 2, 4);
-  this->AllSectors = std::make_unique<Sectors>(*this->Pieces, this->Last);
-  return true;
+  return this->Pieces != nullptr;
 }
 
-/// Finds which points before the points of the patch are, and where its corners were.
-void DeeperThirds::FindOld()
+}
+
+std::unique_ptr<DeeperCells> SplitIntoThirds(
+  const SteppedPieces& from, const std::vector<Part>& wanted, const SubdividePatch& subdivide)
 {
-  this->Corners.resize(this->Old.size(), { -1, -1 });
-  this->Old.resize(static_cast<std::size_t>(this->Pieces->GetNumberOfPoints(2)), -1);
-  for (const std::size_t p : InTurn(this->Parts.size()))
-  {
-    const Part& part = this->Parts[p];
-    const PieceLattice& lattice = this->From.Pieces.GetLattice(part.Cell);
-    const vtkIdType first = this->Pieces->GetFirstPlace(this->Cells[p]);
-    for (std::size_t i = 0; i < lattice.Places.size(); ++i)
-    {
-      const LatticePoint& place = lattice.Places[i];
-      const vtkIdType point = this->Pieces->GetPoint(first + static_cast<vtkIdType>(i));
-      if (point < this->Pieces->GetNumberOfPoints(2))
-      {
-        this->Old[point] = this->GetPoint(part, place);
-      }
-      if (point < this->Pieces->GetNumberOfPoints(1))
-      {
-        this->Corners[point] = { part.Cell,
-          lattice.Find(lattice.Children[part.Child].At(place, Divisions)) };
-      }
-    }
-  }
+  auto made = std::make_unique<CellsInThirds>(from, wanted);
+  return made->Split(subdivide) ? std::move(made) : nullptr;
 }
 
 }

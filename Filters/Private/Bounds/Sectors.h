@@ -25,6 +25,8 @@ class Sectors
 public:
   /// The factors of a step, the first to be applied first.
   using Step = std::vector<const MatrixFactors::Matrix*>;
+  /// Columns and weights of a row.
+  using Entries = std::vector<std::pair<vtkIdType, double>>;
   using Mask = NestedPieces::Mask;
 
   /// `last`: the last step of the pieces, whose rows tell all sectors.
@@ -146,6 +148,27 @@ void ForColumns(
                    : ForColumns(step, factors - 1, factor.Columns[e], product, act);
     }
   }
+}
+
+/// A row of the product of some factors, of columns that are renamed; each one is there once.
+template <typename Rename>
+Sectors::Entries GetRow(const Sectors::Step& step, vtkIdType row, const Rename& rename)
+{
+  Sectors::Entries entries;
+  ForColumns(step, step.size(), row, 1.,
+    [&](vtkIdType column, double weight)
+    {
+      const vtkIdType name = rename(column);
+      const auto at = std::find_if(
+        entries.begin(), entries.end(), [name](const auto& entry) { return entry.first == name; });
+      if (at == entries.end())
+      {
+        entries.emplace_back(name, weight);
+        return;
+      }
+      at->second += weight;
+    });
+  return entries;
 }
 
 template <typename Act>

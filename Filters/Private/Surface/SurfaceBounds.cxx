@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceBounds.h"
 
-#include "Private/Bounds/DeeperThirds.h"
+#include "Private/Bounds/DeeperCells.h"
 #include "Private/Bounds/ErrorBounds.h"
 
 #include "vtkCellData.h"

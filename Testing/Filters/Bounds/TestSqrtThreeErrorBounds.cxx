@@ -7,7 +7,7 @@
 #include "BoundTools.h"
 #include "RandomSurfaces.h"
 
-#include "Private/Bounds/DeeperThirds.h"
+#include "Private/Bounds/DeeperCells.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
@@ -22,7 +22,7 @@ using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::ApplyFactors;
 using subdivision::Buffer;
-using subdivision::DeeperThirds;
+using subdivision::DeeperCells;
 using subdivision::NestedPieces;
 using subdivision::Sectors;
 
@@ -50,12 +50,8 @@ vtkSmartPointer<vtkPolyData> Make(
 
 NestedPieces ReadPieces(vtkUnstructuredGrid* input, int levels, const Surfaces& configure)
 {
-  subdivision::FourSqrtThreeSteps meshes;
-  for (std::size_t step = 0; step < meshes.size(); ++step)
-  {
-    meshes[step] = Make(input, levels + static_cast<int>(step), false, configure);
-  }
-  return subdivision::ReadThirds(meshes);
+  return std::move(*subdivision::ReadThirds(
+    [&](int steps) { return Make(input, levels + steps, false, configure); }));
 }
 
 /// The factors of the operator of so many levels that come after the one with so many rows.
@@ -313,9 +309,10 @@ vtkIdType CompareParts(vtkUnstructuredGrid* input, const Surfaces& configure)
     }
   }
   vtkIdType compared = 0;
-  const auto compare = [&](const DeeperThirds::Part& part)
+  const auto compare = [&](const DeeperCells::Part& part)
   {
-    const auto deeper = DeeperThirds::Make({ pieces, sectors, last.Get() }, { part }, SplitPatch);
+    const auto deeper =
+      subdivision::SplitIntoThirds({ pieces, sectors, last.Get() }, { part }, SplitPatch);
     ASSERT_NE(deeper, nullptr);
     const auto made = deeper->Get();
     const vtkIdType wanted = deeper->GetWanted()[0];
