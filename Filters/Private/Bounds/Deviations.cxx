@@ -292,7 +292,7 @@ public:
         this->FindLargest(cell, points, lattice.Corners) + this->Values.Rounding);
       bound.Largest = std::max(bound.Largest, this->OfPieces.back());
     }
-    for (int point = 0; point < lattice.GetNumberOfPoints(); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       bound.Least = std::max(bound.Least, this->FindLeast(cell, point) - this->Values.Rounding);
     }

@@ -2,12 +2,12 @@
 #include "Private/Bounds/ErrorBounds.h"
 
 #include "Private/Arrays/Arrays.h"
-#include "Private/Bounds/DeeperBounds.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
+#include "Private/Bounds/TightenBounds.h"
 #include "Private/Partitions/Partners.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Run/SizeChecks.h"
@@ -144,8 +144,8 @@ private:
     const std::size_t size = this->Limits.GetOperations().size();
     return ApplyFactors(ListFactors(this->Limits, size - 1, size), values, components);
   }
-  std::unique_ptr<DeeperCells> Split(
-    const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const;
+  std::unique_ptr<PartsAsCells> Split(
+    const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted) const;
   bool AddBounds(const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
     const std::string& name);
   void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
@@ -233,8 +233,8 @@ bool BoundMaker::FindLimits()
   return made != nullptr;
 }
 
-std::unique_ptr<DeeperCells> BoundMaker::Split(
-  const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const
+std::unique_ptr<PartsAsCells> BoundMaker::Split(
+  const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted) const
 {
   if (!this->Given.HasThirds)
   {
@@ -282,7 +282,7 @@ bool BoundMaker::AddBounds(
     }
     const bool hasLimits = !this->Limits.GetOperations().empty();
     const bool isDone = TightenBounds(
-      pieces, [this](const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted)
+      pieces, [this](const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted)
       { return this->Split(from, wanted); }, bounded,
       hasLimits ? this->FindLimitsOf(this->Given.HasThirds ? third : second, components)
                 : Buffer<double>(),

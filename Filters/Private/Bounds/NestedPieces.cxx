@@ -52,8 +52,7 @@ NestedPieces::NestedPieces(const std::vector<int>& kinds, Buffer<vtkIdType> plac
 void NestedPieces::AddCell(int kind)
 {
   this->Kinds.push_back(static_cast<signed char>(kind));
-  this->FirstPlaces.push_back(
-    this->FirstPlaces.back() + this->Lattices[kind + 1]->GetNumberOfPoints());
+  this->FirstPlaces.push_back(this->FirstPlaces.back() + this->Lattices[kind + 1]->CountPoints());
   if (kind >= 0)
   {
     this->Has[kind] = true;
@@ -174,7 +173,7 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
         {
           vtkIdType* to = this->PlacePoints.data() + this->FirstPlaces[part];
           const Lattice& lattice = this->GetLattice(part);
-          for (int point = 0; point < lattice.GetNumberOfPoints(); ++point)
+          for (int point = 0; point < lattice.CountPoints(); ++point)
           {
             *to++ = reader.Get(lattice.GetPlaceInSolid(point));
           }

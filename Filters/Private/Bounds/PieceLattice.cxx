@@ -141,7 +141,7 @@ int PieceLattice::AddPoint(const LatticePoint& place)
   int& number = this->Numbers[Number(place, this->Size + 1)];
   if (number < 0)
   {
-    number = this->GetNumberOfPoints();
+    number = this->CountPoints();
     this->Places.push_back(place);
     this->Points.push_back(this->WeighCorners(place, this->Size));
     this->Faces.push_back(0);
@@ -251,7 +251,7 @@ LatticePoint PieceLattice::GetPlaceInQuarter(int quarter, int point) const
 /// The neighbours in a tet/oct solid.
 void PieceLattice::AddNeighboursInSolids()
 {
-  const int size = this->GetNumberOfPoints();
+  const int size = this->CountPoints();
   const auto add = [&](int of)
   {
     for (int point = 0; point < size; ++point)

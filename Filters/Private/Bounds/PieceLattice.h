@@ -82,8 +82,8 @@ struct PieceLattice
   static const PieceLattice& Get(int kind);
 
   /// Whether a neighbour is one of its own points.
-  bool Has(int neighbour) const { return neighbour >= 0 && neighbour < this->GetNumberOfPoints(); }
-  int GetNumberOfPoints() const { return static_cast<int>(this->Places.size()); }
+  bool Has(int neighbour) const { return neighbour >= 0 && neighbour < this->CountPoints(); }
+  int CountPoints() const { return static_cast<int>(this->Places.size()); }
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) / this->Corners; }
   Mask GetWhole() const { return (1U << this->Corners) - 1U; }
   bool IsQuad() const { return this->Corners > this->Dimension + 1; }

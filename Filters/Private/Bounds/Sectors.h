@@ -32,10 +32,11 @@ public:
   /// `last`: the last step of the pieces, whose rows tell all sectors.
   Sectors(const NestedPieces& pieces, const Step& last);
 
-  /// The limit next to a place of a cell depends on points that have a piece in common with it, in
-  /// its sector alone. Calls whole(place) for the place in each cell that is all in the sector, as
-  /// its own cell is: all neighbours there count. Of other cells calls rest(place) for each
-  /// neighbour in the face that is in the sector.
+  /// Visits the points on which the limit next to a point of a cell depends: points of the pieces
+  /// at it that belong to its sector. The sector has whole cells, the cell itself among them. For
+  /// each of these this calls whole(place), with the place of the point in that cell: all
+  /// neighbours of the place count. Of other cells the sector has a face only. There this calls
+  /// rest(place) for each neighbour that lies in the face.
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
   /// A spot is a point in one of its sectors: the places there all have the same limit next to
@@ -99,6 +100,12 @@ private:
   static constexpr vtkIdType ManyPlaces = 64;
 
   vtkIdType GetFace(vtkIdType cell, Mask mask) const { return this->Faces[Masks * cell + mask]; }
+  /// The face of its cell that a place is inside of.
+  Mask GetFaceOf(vtkIdType place) const
+  {
+    const vtkIdType cell = this->CellsOfPlaces[place];
+    return this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
+  }
   const Sector& GetSector(vtkIdType cell, Mask face) const
   {
     return this->Found[this->GetFace(cell, face)][this->Numbers[Masks * cell + face]];
@@ -110,7 +117,6 @@ private:
   void ListPlaces();
   void ListSpots();
   void FindInfluences(const Step& last);
-  bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const;
   void FindSectors(vtkIdType face);
   Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;

@@ -266,7 +266,7 @@ Buffer<vtkIdType> ReadPoints(const std::vector<int>& kinds, const PairOfSteps& f
   std::vector<vtkIdType> starts = { 0 };
   for (const int kind : InTurn(kinds))
   {
-    starts.push_back(starts.back() + Lattice::Get(kind).GetNumberOfPoints());
+    starts.push_back(starts.back() + Lattice::Get(kind).CountPoints());
   }
   Buffer<vtkIdType> points(starts.back(), -1);
   ForEach(static_cast<vtkIdType>(kinds.size()),

@@ -7,8 +7,8 @@
 #include "BoundTools.h"
 #include "RandomSurfaces.h"
 
-#include "Private/Bounds/DeeperCells.h"
 #include "Private/Bounds/Deviations.h"
+#include "Private/Bounds/PartsAsCells.h"
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
@@ -22,8 +22,8 @@ using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::ApplyFactors;
 using subdivision::Buffer;
-using subdivision::DeeperCells;
 using subdivision::NestedPieces;
+using subdivision::PartsAsCells;
 using subdivision::Sectors;
 
 namespace
@@ -309,7 +309,7 @@ vtkIdType CompareParts(vtkUnstructuredGrid* input, const Surfaces& configure)
     }
   }
   vtkIdType compared = 0;
-  const auto compare = [&](const DeeperCells::Part& part)
+  const auto compare = [&](const PartsAsCells::Part& part)
   {
     const auto deeper =
       subdivision::SplitIntoThirds({ pieces, sectors, last.Get() }, { part }, SplitPatch);
@@ -432,7 +432,7 @@ TEST(SqrtThreeErrorBounds, HoldForOneValueAfterTheLastStep)
   EXPECT_GT(small, 100);
 }
 
-TEST(DeeperThirds, AreThoseOfAMeshThatIsSplitFurther)
+TEST(PartsInThirds, AreThoseOfAMeshThatIsSplitFurther)
 {
   EXPECT_EQ(CompareParts(MakeCreased(2), {}), 18 * 9 * 55 + 3 * 3 * 10);
   // Edges and vertices that have no cell of their own.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Bounds/DeeperCells.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include "Core/Memory/Sorting.h"
 #include "Private/Bounds/StepFactors.h"
@@ -22,15 +22,15 @@ namespace subdivision
 namespace
 {
 
-using Part = DeeperCells::Part;
+using Part = PartsAsCells::Part;
 
-class CellsInThirds : public DeeperCells
+class PartsInThirds : public PartsAsCells
 {
 public:
   /// The limit depends on two layers of triangles of the last step, which lie in one layer of
   /// parts, and so do the rings there.
-  CellsInThirds(const SteppedPieces& from, const std::vector<Part>& wanted)
-    : DeeperCells(from)
+  PartsInThirds(const SteppedPieces& from, const std::vector<Part>& wanted)
+    : PartsAsCells(from)
   {
     this->ListParts(wanted);
   }
@@ -56,7 +56,7 @@ Sectors::Entries GetLastRow(const SteppedPieces& from, vtkIdType point)
 /// Edges of triangles that are cut by points of which the nearer end is more than half, with one
 /// other point or two (a row of any other such point has the ends and both neighbours, or, around a
 /// vertex of two triangles, equal weights). What is fixed is read off the rows.
-std::set<CellsInThirds::Ends> CellsInThirds::ListFixedEdges() const
+std::set<PartsInThirds::Ends> PartsInThirds::ListFixedEdges() const
 {
   std::set<Ends> fixed;
   for (const Part& part : InTurn(this->Parts))
@@ -83,7 +83,7 @@ std::set<CellsInThirds::Ends> CellsInThirds::ListFixedEdges() const
 }
 
 /// Makes the parts a mesh, with a line on each fixed edge, and a vertex at each point that stays.
-vtkSmartPointer<vtkPolyData> CellsInThirds::CutOut()
+vtkSmartPointer<vtkPolyData> PartsInThirds::CutOut()
 {
   std::vector<vtkIdType> old;
   for (const Part& part : InTurn(this->Parts))
@@ -146,7 +146,7 @@ vtkSmartPointer<vtkPolyData> CellsInThirds::CutOut()
   return patch;
 }
 
-bool CellsInThirds::Split(const SubdividePatch& subdivide)
+bool PartsInThirds::Split(const SubdividePatch& subdivide)
 {
   const auto patch = this->CutOut();
   this->Pieces = ReadThirds(
@@ -160,10 +160,10 @@ bool CellsInThirds::Split(const SubdividePatch& subdivide)
 
 }
 
-std::unique_ptr<DeeperCells> SplitIntoThirds(
+std::unique_ptr<PartsAsCells> SplitIntoThirds(
   const SteppedPieces& from, const std::vector<Part>& wanted, const SubdividePatch& subdivide)
 {
-  auto made = std::make_unique<CellsInThirds>(from, wanted);
+  auto made = std::make_unique<PartsInThirds>(from, wanted);
   return made->Split(subdivide) ? std::move(made) : nullptr;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Bounds/DeeperCells.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include "Core/Memory/Sorting.h"
 
@@ -9,7 +9,7 @@
 namespace subdivision
 {
 
-Buffer<double> DeeperCells::Take(int step, const Buffer<double>& values, int components) const
+Buffer<double> PartsAsCells::Take(int step, const Buffer<double>& values, int components) const
 {
   const vtkIdType size = this->Pieces->GetNumberOfPoints(step);
   Buffer<double> taken(components * size);
@@ -22,7 +22,7 @@ Buffer<double> DeeperCells::Take(int step, const Buffer<double>& values, int com
   return taken;
 }
 
-void DeeperCells::ListParts(const std::vector<Part>& wanted)
+void PartsAsCells::ListParts(const std::vector<Part>& wanted)
 {
   std::map<Part, vtkIdType> numbers;
   const auto add = [&](const Part& part)
@@ -86,7 +86,7 @@ void DeeperCells::ListParts(const std::vector<Part>& wanted)
   addAll(others);
 }
 
-void DeeperCells::Finish(const std::vector<vtkIdType>& cells, const Sectors::Step& last)
+void PartsAsCells::Finish(const std::vector<vtkIdType>& cells, const Sectors::Step& last)
 {
   for (vtkIdType& wanted : this->Wanted)
   {
@@ -98,7 +98,7 @@ void DeeperCells::Finish(const std::vector<vtkIdType>& cells, const Sectors::Ste
   {
     const Part& part = this->Parts[p];
     const NestedPieces::Lattice& lattice = this->GetLattice(part);
-    for (int point = 0; point < lattice.GetNumberOfPoints(); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       const int before = lattice.FindOfChild(part.Child, point);
       if (before < 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Bounds/DeeperCells.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include "Core/Memory/Sorting.h"
 
@@ -15,13 +15,14 @@ namespace
 {
 
 using Lattice = NestedPieces::Lattice;
-using Part = DeeperCells::Part;
+using Part = PartsAsCells::Part;
 /// Whole numbers for the corners of a cell.
 using Weights = std::array<int, Lattice::MostCorners>;
 constexpr int Divisions = Lattice::Divisions;
 
-/// Even numbers which leave half of the sum of some weights. A place near a side stays as near, and
-/// other places come not next to one; in tetrahedra they may, where rows are the same.
+/// Even numbers to take away from some weights, so that half of their sum is left. A place next to
+/// a side of the cell stays next to it, and no other place comes next to a side. (In tetrahedra a
+/// place may, but there rows are the same.)
 Weights FindExcess(Weights weights)
 {
   Weights excess{};
@@ -44,11 +45,11 @@ LatticePoint Halve(const LatticePoint& place)
   return { { place[0] / 2, place[1] / 2, place[2] / 2 } };
 }
 
-class CellsInHalves : public DeeperCells
+class PartsInHalves : public PartsAsCells
 {
 public:
-  CellsInHalves(const SteppedPieces& from, const std::vector<Part>& wanted)
-    : DeeperCells(from)
+  PartsInHalves(const SteppedPieces& from, const std::vector<Part>& wanted)
+    : PartsAsCells(from)
   {
     this->ListParts(wanted);
     this->NumberOldPoints();
@@ -84,13 +85,13 @@ private:
 };
 
 /// Points come in the order of the steps that make them.
-void CellsInHalves::NumberOldPoints()
+void PartsInHalves::NumberOldPoints()
 {
   std::vector<std::pair<int, vtkIdType>> points;
   for (const Part& part : InTurn(this->Parts))
   {
     const Lattice& lattice = this->GetLattice(part);
-    for (int point = 0; point < lattice.GetNumberOfPoints(); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       if (lattice.GetStep(point) < NestedPieces::Steps)
       {
@@ -110,7 +111,7 @@ void CellsInHalves::NumberOldPoints()
   SortDistinct(this->NumbersOfOld);
 }
 
-vtkIdType CellsInHalves::FindNumber(vtkIdType old) const
+vtkIdType PartsInHalves::FindNumber(vtkIdType old) const
 {
   const auto at = std::lower_bound(this->NumbersOfOld.begin(), this->NumbersOfOld.end(),
     std::pair<vtkIdType, vtkIdType>{ old, 0 });
@@ -118,7 +119,7 @@ vtkIdType CellsInHalves::FindNumber(vtkIdType old) const
 }
 
 /// A new point is known by the points in whose middle it is.
-void CellsInHalves::FindPieces()
+void PartsInHalves::FindPieces()
 {
   using Parents = std::array<vtkIdType, Lattice::MostCorners>;
   std::vector<int> kinds;
@@ -129,7 +130,7 @@ void CellsInHalves::FindPieces()
     const Lattice& lattice = this->GetLattice(part);
     kinds.push_back(lattice.ChildKinds[part.Child]);
     const auto first = static_cast<vtkIdType>(numbers.size());
-    for (int point = 0; point < lattice.GetNumberOfPoints(); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       numbers.push_back(this->FindNumber(this->GetOld(part, point)));
     }
@@ -154,7 +155,7 @@ void CellsInHalves::FindPieces()
 }
 
 /// The point before with the row of a point of a part; `shift` tells how this point moves there.
-vtkIdType CellsInHalves::FindRow(const Part& part, int point, Shift& shift) const
+vtkIdType PartsInHalves::FindRow(const Part& part, int point, Shift& shift) const
 {
   const Lattice& lattice = this->GetLattice(part);
   constexpr int all = 2 * Divisions;
@@ -188,7 +189,7 @@ vtkIdType CellsInHalves::FindRow(const Part& part, int point, Shift& shift) cons
 
 /// The multiples that a shift takes of the corners of a cell. Returns false if this cell does not
 /// have all corners of the shift, or not as a face. A row inside a quad reads this quad only.
-bool CellsInHalves::Match(const Shift& shift, vtkIdType cell, Weights& corners) const
+bool PartsInHalves::Match(const Shift& shift, vtkIdType cell, Weights& corners) const
 {
   if (cell == shift.Cell)
   {
@@ -217,7 +218,7 @@ bool CellsInHalves::Match(const Shift& shift, vtkIdType cell, Weights& corners) 
 }
 
 /// The column that is where another one of the row before was; -1 if no cell tells.
-vtkIdType CellsInHalves::ShiftColumn(const Shift& shift, vtkIdType column) const
+vtkIdType PartsInHalves::ShiftColumn(const Shift& shift, vtkIdType column) const
 {
   const NestedPieces& pieces = this->From.Pieces;
   const auto places = this->From.AllSectors.GetPlaces(column);
@@ -257,7 +258,7 @@ vtkIdType CellsInHalves::ShiftColumn(const Shift& shift, vtkIdType column) const
 }
 
 /// Moves a place of an octahedron by the multiples that a shift takes of a quarter's corners.
-vtkIdType CellsInHalves::ShiftInOctahedron(
+vtkIdType PartsInHalves::ShiftInOctahedron(
   vtkIdType place, vtkIdType quarter, const Weights& corners) const
 {
   const NestedPieces& pieces = this->From.Pieces;
@@ -280,14 +281,14 @@ vtkIdType CellsInHalves::ShiftInOctahedron(
     : pieces.GetPoint(pieces.GetFirstPlace(quarter) + found->second);
 }
 
-void CellsInHalves::MakeRows()
+void PartsInHalves::MakeRows()
 {
   const vtkIdType rows = this->Counts[NestedPieces::Steps];
   std::vector<std::pair<Part, int>> points(static_cast<std::size_t>(rows)); // of parts
   for (std::size_t p = 0; p < this->Parts.size(); ++p)
   {
     const vtkIdType first = this->Pieces->GetFirstPlace(static_cast<vtkIdType>(p));
-    for (int point = 0; point < this->GetLattice(this->Parts[p]).GetNumberOfPoints(); ++point)
+    for (int point = 0; point < this->GetLattice(this->Parts[p]).CountPoints(); ++point)
     {
       points[this->Pieces->GetPoint(first + point)] = { this->Parts[p], point };
     }
@@ -326,10 +327,10 @@ void CellsInHalves::MakeRows()
 
 }
 
-std::unique_ptr<DeeperCells> SplitIntoHalves(
+std::unique_ptr<PartsAsCells> SplitIntoHalves(
   const SteppedPieces& from, const std::vector<Part>& wanted)
 {
-  return std::make_unique<CellsInHalves>(from, wanted);
+  return std::make_unique<PartsInHalves>(from, wanted);
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file DeeperCells.h
+ * @file PartsAsCells.h
  * Parts of cells as cells of their own, one step (of sqrt(3) two) deeper.
  *
  * A cell whose edges are halved looks the same on each level: the inside of its edges and faces
@@ -9,8 +9,8 @@
  * neighbours of a cell, so that a further step has other rows. There the parts are cut out of the
  * mesh, with the cells on which their limits depend, and are split as a mesh of their own.
  */
-#ifndef SubdivisionObjects_DeeperCells_h
-#define SubdivisionObjects_DeeperCells_h
+#ifndef SubdivisionObjects_PartsAsCells_h
+#define SubdivisionObjects_PartsAsCells_h
 
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
@@ -35,7 +35,7 @@ struct SteppedPieces
   Sectors::Step Last;
 };
 
-class DeeperCells
+class PartsAsCells
 {
 public:
   /// A child of a cell (PieceLattice::Children).
@@ -59,9 +59,9 @@ public:
     int Point; ///< of its lattice
   };
 
-  DeeperCells(const DeeperCells&) = delete;
-  DeeperCells& operator=(const DeeperCells&) = delete;
-  virtual ~DeeperCells() = default;
+  PartsAsCells(const PartsAsCells&) = delete;
+  PartsAsCells& operator=(const PartsAsCells&) = delete;
+  virtual ~PartsAsCells() = default;
 
   SteppedPieces Get() const { return { *this->Pieces, *this->AllSectors, this->Last }; }
   /// The cells that wanted parts are.
@@ -71,7 +71,7 @@ public:
   Buffer<double> Take(int step, const Buffer<double>& values, int components) const;
 
 protected:
-  explicit DeeperCells(const SteppedPieces& from)
+  explicit PartsAsCells(const SteppedPieces& from)
     : From(from)
   {
   }
@@ -109,13 +109,13 @@ private:
 };
 
 /// Makes parts of cells deeper. Returns null after an error, or a stop.
-using SplitCells = std::function<std::unique_ptr<DeeperCells>(
-  const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted)>;
+using SplitCells = std::function<std::unique_ptr<PartsAsCells>(
+  const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted)>;
 
 /// A row is not a number where it may read a point that these cells lack. Wanted cells depend on no
 /// such row, unless a rule reads beyond cells that meet.
-std::unique_ptr<DeeperCells> SplitIntoHalves(
-  const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted);
+std::unique_ptr<PartsAsCells> SplitIntoHalves(
+  const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted);
 
 /// The cell array of a patch that tells which vertices and lines are singular.
 constexpr const char* PatchSingularName = "Singular";
@@ -124,8 +124,8 @@ using SubdividePatch = std::function<vtkSmartPointer<vtkPointSet>(
   vtkPolyData* patch, int levels, MatrixFactors* factors)>;
 
 /// Returns null where `subdivide` does.
-std::unique_ptr<DeeperCells> SplitIntoThirds(const SteppedPieces& from,
-  const std::vector<DeeperCells::Part>& wanted, const SubdividePatch& subdivide);
+std::unique_ptr<PartsAsCells> SplitIntoThirds(const SteppedPieces& from,
+  const std::vector<PartsAsCells::Part>& wanted, const SubdividePatch& subdivide);
 
 }
 
