@@ -2,8 +2,7 @@
 /**
  * @file SimplexStarts.h
  * Where the entries of each simplex of a list begin in another list. Most lists have simplices of
- * one dimension only: then that is a product, and nothing is stored. (SimplexPlaces of the
- * red-green forest is for corners alone, and stores less for mixed lists, but adds up dimensions.)
+ * one dimension only: then that is a product, and nothing is stored.
  */
 #ifndef SubdivisionObjects_SimplexStarts_h
 #define SubdivisionObjects_SimplexStarts_h
@@ -18,15 +17,15 @@ namespace subdivision
 {
 
 /// How many simplices of a list have each dimension.
-inline std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
+inline std::array<vtkIdType, 4> CountDimensions(const SimplexView& simplices)
 {
   constexpr vtkIdType block = 240; // counts fit into a byte, so that compilers make many at once
   std::array<vtkIdType, 4> counts = {};
-  const vtkIdType size = simplices.GetNumberOfSimplices();
+  const vtkIdType size = simplices.NumberOfSimplices;
   ForEachInTurn((size + block - 1) / block,
     [&](vtkIdType i)
     {
-      const unsigned char* begin = simplices.Dimensions.data() + block * i;
+      const unsigned char* begin = simplices.Dimensions + block * i;
       const vtkIdType length = std::min(block, size - block * i);
       for (unsigned char dimension = 0; dimension < counts.size(); ++dimension)
       {
@@ -40,14 +39,18 @@ inline std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
     });
   return counts;
 }
+inline std::array<vtkIdType, 4> CountDimensions(const SimplexList& simplices)
+{
+  return CountDimensions(SimplexView(simplices));
+}
 
 class SimplexStarts
 {
 public:
   /// each(dimension): how much belongs to a simplex, at least 1.
   template <typename Each>
-  SimplexStarts(const SimplexList& simplices, const Each& each)
-    : Size(simplices.GetNumberOfSimplices())
+  SimplexStarts(const SimplexView& simplices, const Each& each)
+    : Size(simplices.NumberOfSimplices)
   {
     const std::array<vtkIdType, 4> counts = CountDimensions(simplices);
     const auto most = std::max_element(counts.begin(), counts.end());
@@ -81,11 +84,17 @@ private:
   Buffer<vtkIdType> Firsts;
 };
 
+/// Where the corners of each simplex start in the connectivity.
+inline SimplexStarts FindCorners(const SimplexView& simplices)
+{
+  return SimplexStarts(simplices, [](int dimension) { return dimension + 1; });
+}
+
 /// Where the children of each simplex start after some steps.
 inline SimplexStarts FindChildren(const SimplexList& simplices, int steps)
 {
   return SimplexStarts(
-    simplices, [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
+    SimplexView(simplices), [steps](int dimension) { return vtkIdType(1) << (dimension * steps); });
 }
 
 }

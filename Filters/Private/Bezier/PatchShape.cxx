@@ -332,10 +332,10 @@ LatticePoint LatticePart::At(const LatticePoint& point, int divisions) const
   return at;
 }
 
-LatticePart LatticePart::Take(const LatticePart& child) const
+LatticePart LatticePart::Take(const LatticePart& child, int divisions) const
 {
   LatticePart part;
-  part.Origin = this->At(child.Origin, 2);
+  part.Origin = this->At(child.Origin, divisions);
   for (int i = 0; i < 3; ++i)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -343,7 +343,7 @@ LatticePart LatticePart::Take(const LatticePart& child) const
       part.Axes[i][axis] =
         (child.Axes[i][0] * this->Axes[0][axis] + child.Axes[i][1] * this->Axes[1][axis] +
           child.Axes[i][2] * this->Axes[2][axis]) /
-        2;
+        divisions;
     }
   }
   return part;

@@ -32,8 +32,8 @@ struct LatticePart
 
   /// A point of the part's own lattice, whose axes have `divisions` parts.
   LatticePoint At(const LatticePoint& point, int divisions) const;
-  /// A part of this part, given on its lattice of two divisions.
-  LatticePart Take(const LatticePart& child) const;
+  /// A part of this part, given on its lattice of so many divisions.
+  LatticePart Take(const LatticePart& child, int divisions = 2) const;
 };
 
 struct PatchShape

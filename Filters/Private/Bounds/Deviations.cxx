@@ -252,31 +252,9 @@ VectorRanges FindTailOfQuads(const NestedPieces& pieces, int components,
   return tail;
 }
 
-/// The bound of a piece: on |x + a + b| where x is the difference at a corner, a is in the range of
-/// steps 2 and 3, and b in the range of all later steps, or `further` out of it. `norm` is the
-/// largest of the differences.
-double BoundPiece(int components, const double* differences, int corners, double norm,
-  const VectorRange& steps, const VectorRange& tail, double further)
-{
-  double largestSquares = 0.;
-  for (int k = 0; k < corners; ++k)
-  {
-    const double* x = differences + components * k;
-    double squares = 0.;
-    for (int c = 0; c < components; ++c)
-    {
-      const double least = x[c] + steps.GetLeast(c) + tail.GetLeast(c);
-      const double largest = x[c] + steps.GetLargest(c) + tail.GetLargest(c);
-      const double most = std::max(Known(std::abs(least)), Known(std::abs(largest)));
-      squares += most * most;
-    }
-    largestSquares = std::max(largestSquares, squares);
-  }
-  const double byNorms = norm + (steps.GetNorm() + tail.GetNorm());
-  return std::min(Known(byNorms), Known(std::sqrt(largestSquares))) + further;
-}
-
-/// Finds bounds of cells from the ranges of steps and of all later steps.
+/// Finds bounds of cells from the ranges of steps 2 and 3, and of all later steps. The limit at a
+/// point is x + a + b, where x is the difference of linear values from values of the output, a is
+/// in the first range, and b in the second one, or GetFurther out of it.
 class CellBounds
 {
 public:
@@ -286,11 +264,9 @@ public:
     , AllSectors(sectors)
     , Values(values)
     , Linear(linear)
-    , Steps(ranges[0])
-    , Tail(ranges[1])
-    , OfSteps(values.Components)
-    , OfTail(values.Components)
-    , OfPiece(static_cast<std::size_t>(values.Components) * NestedPieces::MostCorners)
+    , Ranges(ranges)
+    , Near(2, values.Components)
+    , Zero(2 * static_cast<std::size_t>(values.Components) + 1, 0.)
   {
   }
 
@@ -311,10 +287,12 @@ public:
     this->OfPieces.clear();
     for (int piece = 0; piece < lattice.GetNumberOfPieces(); ++piece)
     {
-      this->OfPieces.push_back(this->FindOfPiece(cell, piece) + this->Values.Rounding);
+      const int* points = lattice.Pieces.data() + lattice.Corners * piece;
+      this->OfPieces.push_back(
+        this->FindLargest(cell, points, lattice.Corners) + this->Values.Rounding);
       bound.Largest = std::max(bound.Largest, this->OfPieces.back());
     }
-    for (int point = 0; point < static_cast<int>(lattice.Points.size()); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       bound.Least = std::max(bound.Least, this->FindLeast(cell, point) - this->Values.Rounding);
     }
@@ -326,61 +304,73 @@ public:
   }
 
 private:
-  double FindOfPiece(vtkIdType cell, int piece)
+  /// Takes the ranges around some points of a cell.
+  void LookAround(vtkIdType cell, const int* points, int count)
   {
-    const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
-    this->OfSteps.Clear();
-    this->OfTail.Clear();
-    double norm = 0.;
-    bool hasTets = false;
-    for (int k = 0; k < lattice.Corners; ++k)
+    this->Near.Clear(0);
+    this->Near.Clear(1);
+    this->Near.Extend(1, this->Zero.data()); // there may be no later step
+    for (int k = 0; k < count; ++k)
     {
-      const int point = lattice.Pieces[lattice.Corners * piece + k];
-      const vtkIdType spot = this->GetSpot(cell, point);
-      this->OfSteps.Add(this->Steps.Get(spot));
-      this->OfTail.Add(this->Tail.Get(spot));
-      norm = std::max(norm, Known(this->Norms[point]));
-      hasTets = hasTets || this->HasTets[point] != 0;
-      std::copy_n(this->Differences.data() + this->Values.Components * point,
-        this->Values.Components, this->OfPiece.data() + this->Values.Components * k);
+      const vtkIdType spot = this->AllSectors.GetSpot(this->Pieces.GetFirstPlace(cell) + points[k]);
+      this->Near.Extend(0, this->Ranges[0].Get(spot));
+      this->Near.Extend(1, this->Ranges[1].Get(spot));
     }
-    this->OfTail.AddZero();
-    return BoundPiece(this->Values.Components, this->OfPiece.data(), lattice.Corners, norm,
-      this->OfSteps, this->OfTail, this->GetFurther(hasTets));
   }
-
-  /// The least distance of the limit at a point: |x + a + b| as in BoundPiece, of this point.
-  double FindLeast(vtkIdType cell, int point)
+  /// Sums the squares of get(least, largest) for the components of x + a + b at a point.
+  template <typename Get>
+  double SumSquares(int point, const Get& get) const
   {
     const int components = this->Values.Components;
-    const vtkIdType spot = this->GetSpot(cell, point);
-    this->OfSteps.Clear();
-    this->OfTail.Clear();
-    this->OfSteps.Add(this->Steps.Get(spot));
-    this->OfTail.Add(this->Tail.Get(spot));
-    this->OfTail.AddZero();
     const double* x = this->Differences.data() + components * point;
+    const double* steps = this->Near.Get(0);
+    const double* tail = this->Near.Get(1);
     double squares = 0.;
     for (int c = 0; c < components; ++c)
     {
-      const double least = x[c] + this->OfSteps.GetLeast(c) + this->OfTail.GetLeast(c);
-      const double largest = x[c] + this->OfSteps.GetLargest(c) + this->OfTail.GetLargest(c);
-      const double nearest = least > 0. ? least : largest < 0. ? -largest : 0.;
-      squares += nearest * nearest;
+      const double distance =
+        get(x[c] + steps[c] + tail[c], x[c] + steps[components + c] + tail[components + c]);
+      squares += distance * distance;
     }
-    const double byNorms = this->Norms[point] - this->OfSteps.GetNorm() - this->OfTail.GetNorm();
+    return squares;
+  }
+  double GetNormOf(int range) const { return this->Near.Get(range)[2 * this->Values.Components]; }
+
+  /// The bound of a piece: the largest distance by components or by norms, whichever is less.
+  double FindLargest(vtkIdType cell, const int* points, int corners)
+  {
+    this->LookAround(cell, points, corners);
+    double norm = 0.;
+    bool hasTets = false;
+    double squares = 0.;
+    for (int k = 0; k < corners; ++k)
+    {
+      norm = std::max(norm, Known(this->Norms[points[k]]));
+      hasTets = hasTets || this->HasTets[points[k]] != 0;
+      squares = std::max(squares,
+        this->SumSquares(points[k], [](double least, double largest)
+          { return std::max(Known(std::abs(least)), Known(std::abs(largest))); }));
+    }
+    const double byNorms = norm + (this->GetNormOf(0) + this->GetNormOf(1));
+    return std::min(Known(byNorms), Known(std::sqrt(squares))) + this->GetFurther(hasTets);
+  }
+
+  /// The least distance of the limit at a point.
+  double FindLeast(vtkIdType cell, int point)
+  {
+    this->LookAround(cell, &point, 1);
+    const double squares = this->SumSquares(point, [](double least, double largest)
+      { return least > 0. ? least
+          : largest < 0.  ? -largest
+                          : 0.; });
+    const double byNorms = this->Norms[point] - this->GetNormOf(0) - this->GetNormOf(1);
     const double least = std::max(std::sqrt(squares), std::isfinite(byNorms) ? byNorms : 0.);
     return least - this->GetFurther(this->HasTets[point] != 0);
   }
 
   /// Rows of vertices in faces between solids, which step 3 does not have, may make a little more
   /// of the kink there than rows of edges.
-  double GetFurther(bool hasTets) const { return hasTets ? 0.25 * this->OfTail.GetNorm() : 0.; }
-
-  vtkIdType GetSpot(vtkIdType cell, int point) const
-  {
-    return this->AllSectors.GetSpot(this->Pieces.GetFirstPlace(cell) + point);
-  }
+  double GetFurther(bool hasTets) const { return hasTets ? 0.25 * this->GetNormOf(1) : 0.; }
 
   /// The difference of linear values from values of the output.
   void FindDifference(vtkIdType cell, int point, double* difference) const
@@ -395,14 +385,12 @@ private:
   const Sectors& AllSectors;
   const BoundedValues& Values;
   const Buffer<double>& Linear;
-  const VectorRanges& Steps;
-  const VectorRanges& Tail;
-  VectorRange OfSteps;
-  VectorRange OfTail;
+  const StepsAndTail& Ranges;
+  VectorRanges Near;               ///< around some points: of steps, and of the tail
+  const std::vector<double> Zero;  ///< a range
   std::vector<double> Differences; ///< at all points of the cell
   std::vector<double> Norms;       ///< of these
   std::vector<char> HasTets;       ///< whether their sectors have tetrahedra
-  std::vector<double> OfPiece;
   std::vector<double> OfPieces;
 };
 

@@ -2,14 +2,12 @@
 #include "Private/Bounds/ErrorBounds.h"
 
 #include "Private/Arrays/Arrays.h"
-#include "Private/Bounds/DeeperBounds.h"
-#include "Private/Bounds/DeeperPieces.h"
-#include "Private/Bounds/DeeperThirds.h"
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/NestedPieces.h"
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
+#include "Private/Bounds/TightenBounds.h"
 #include "Private/Partitions/Partners.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Run/SizeChecks.h"
@@ -136,7 +134,6 @@ private:
   /// Pieces of thirds are few after two steps, and their deviations may be 0 at all of their
   /// points.
   int GetStepOfLimits() const { return this->Given.HasThirds ? LastStep : LastStep - 1; }
-  std::unique_ptr<NestedPieces> MakeThirds(vtkPointSet* fine) const;
   std::unique_ptr<NestedPieces> MakePieces(vtkPointSet* fine, vtkPointSet* control) const;
   bool HasMemory() const;
   bool HasNegativeWeights() const;
@@ -147,8 +144,8 @@ private:
     const std::size_t size = this->Limits.GetOperations().size();
     return ApplyFactors(ListFactors(this->Limits, size - 1, size), values, components);
   }
-  std::unique_ptr<DeeperCells> Split(
-    const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const;
+  std::unique_ptr<PartsAsCells> Split(
+    const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted) const;
   bool AddBounds(const SteppedPieces& pieces, vtkDataArray* control, vtkDataArray* shown,
     const std::string& name);
   void AddDistances(vtkDataArray* given, vtkDataArray* limit, const std::string& name);
@@ -236,14 +233,14 @@ bool BoundMaker::FindLimits()
   return made != nullptr;
 }
 
-std::unique_ptr<DeeperCells> BoundMaker::Split(
-  const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted) const
+std::unique_ptr<PartsAsCells> BoundMaker::Split(
+  const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted) const
 {
   if (!this->Given.HasThirds)
   {
-    return std::make_unique<DeeperPieces>(from, wanted);
+    return SplitIntoHalves(from, wanted);
   }
-  return DeeperThirds::Make(from, wanted,
+  return SplitIntoThirds(from, wanted,
     [this](vtkPolyData* patch, int levels, MatrixFactors* factors)
     { return this->Given.SubdividePatch(patch, levels, this->GetAlone(), factors); });
 }
@@ -285,7 +282,7 @@ bool BoundMaker::AddBounds(
     }
     const bool hasLimits = !this->Limits.GetOperations().empty();
     const bool isDone = TightenBounds(
-      pieces, [this](const SteppedPieces& from, const std::vector<DeeperCells::Part>& wanted)
+      pieces, [this](const SteppedPieces& from, const std::vector<PartsAsCells::Part>& wanted)
       { return this->Split(from, wanted); }, bounded,
       hasLimits ? this->FindLimitsOf(this->Given.HasThirds ? third : second, components)
                 : Buffer<double>(),
@@ -325,28 +322,19 @@ void BoundMaker::AddDistances(vtkDataArray* given, vtkDataArray* limit, const st
 }
 
 /// Returns null after an error, or a stop.
-std::unique_ptr<NestedPieces> BoundMaker::MakeThirds(vtkPointSet* fine) const
-{
-  FourSqrtThreeSteps meshes;
-  meshes.front() = this->Given.Output;
-  meshes.back() = fine;
-  for (std::size_t step = 1; step + 1 < meshes.size(); ++step)
-  {
-    const int levels = this->Given.Levels + static_cast<int>(step);
-    meshes[step] = this->Given.Subdivide(levels, false, this->GetAlone(), nullptr);
-    if (!meshes[step])
-    {
-      return nullptr;
-    }
-  }
-  return std::make_unique<NestedPieces>(ReadThirds(meshes));
-}
-
 std::unique_ptr<NestedPieces> BoundMaker::MakePieces(vtkPointSet* fine, vtkPointSet* control) const
 {
   if (this->Given.HasThirds)
   {
-    return this->MakeThirds(fine);
+    return ReadThirds(
+      [&](int steps) -> vtkSmartPointer<vtkPointSet>
+      {
+        if (steps == 0 || steps == 4)
+        {
+          return steps == 0 ? this->Given.Output : fine;
+        }
+        return this->Given.Subdivide(this->Given.Levels + steps, false, this->GetAlone(), nullptr);
+      });
   }
   std::array<vtkIdType, LastStep + 1> points{};
   for (int step = 0; step <= LastStep; ++step)

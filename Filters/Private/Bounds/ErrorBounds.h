@@ -40,7 +40,7 @@ struct BoundedRun
   std::function<vtkSmartPointer<vtkPointSet>(
     int levels, bool project, const RunOptions& options, MatrixFactors* factors)>
     Subdivide;
-  /// Makes steps on a patch of a mesh with thirds (DeeperThirds.h).
+  /// Makes steps on a patch of a mesh with thirds (PartsAsCells.h).
   std::function<vtkSmartPointer<vtkPointSet>(
     vtkPolyData* patch, int levels, const RunOptions& options, MatrixFactors* factors)>
     SubdividePatch;

@@ -19,84 +19,72 @@ namespace subdivision
 
 NestedPieces::NestedPieces(
   vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points, const TetOctMesh* before)
-  : Points(points)
+  : NestedPieces({}, {}, points)
 {
-  this->FindLattices();
   const BezierRoots roots(fine, Steps);
   this->ReadCells(roots, before);
-  if (this->IsNested)
+  this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
+  this->ReadPlaces(roots);
+  if (before)
   {
-    this->CountPlaces();
-    this->ReadPlaces(roots);
-    if (before)
-    {
-      this->ReadTetOct(roots, fine, before->Mesh);
-      this->AlignEqualTets();
-    }
-    this->FindCorners();
-    this->FindParents(2);
-    this->FindParents(3);
+    this->ReadTetOct(roots, fine, before->Mesh);
+    this->AlignEqualTets();
   }
+  this->FindParents();
 }
 
-NestedPieces::NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> placePoints,
+NestedPieces::NestedPieces(const std::vector<int>& kinds, Buffer<vtkIdType> placePoints,
   const std::array<vtkIdType, Steps + 1>& points)
   : Points(points)
-  , Kinds(std::move(kinds))
   , PlacePoints(std::move(placePoints))
-{
-  this->FindLattices();
-  for (const signed char kind : InTurn(this->Kinds))
-  {
-    if (kind >= 0)
-    {
-      this->Has[kind] = true;
-    }
-  }
-  this->CountPlaces();
-  this->FindCorners();
-  this->FindParents(2);
-  this->FindParents(3);
-}
-
-void NestedPieces::FindLattices()
 {
   for (int kind = -1; kind < Lattice::NumberOfKinds; ++kind)
   {
     this->Lattices[kind + 1] = &Lattice::Get(kind);
   }
+  for (const int kind : InTurn(kinds))
+  {
+    this->AddCell(kind);
+  }
+  this->FindParents();
+}
+
+void NestedPieces::AddCell(int kind)
+{
+  this->Kinds.push_back(static_cast<signed char>(kind));
+  this->FirstPlaces.push_back(this->FirstPlaces.back() + this->Lattices[kind + 1]->CountPoints());
+  if (kind >= 0)
+  {
+    this->Has[kind] = true;
+  }
 }
 
 void NestedPieces::ReadCells(const BezierRoots& roots, const TetOctMesh* before)
 {
-  this->IsNested = !before || before->Mesh->GetNumberOfCells() == roots.GetNumberOfRoots();
-  for (const vtkIdType r : InTurn(roots.GetNumberOfRoots()))
+  std::vector<int> kinds;
+  bool isNested = !before || before->Mesh->GetNumberOfCells() == roots.GetNumberOfRoots();
+  for (const vtkIdType r : InTurn(isNested ? roots.GetNumberOfRoots() : 0))
   {
     const Root& root = roots.GetRoot(r);
-    this->IsNested =
-      this->IsNested && (root.Kind < 0 ? roots.GetType(root) == VTK_VERTEX : root.Steps == Steps);
-    if (!this->IsNested)
-    {
-      return;
-    }
-    const int kind =
-      before && root.Kind == PatchShape::Tetrahedron ? this->FindTetOctKind(*before, r) : root.Kind;
-    this->Kinds.push_back(static_cast<signed char>(kind));
-    if (kind >= 0)
-    {
-      this->Has[kind] = true;
-    }
+    isNested =
+      isNested && (root.Kind < 0 ? roots.GetType(root) == VTK_VERTEX : root.Steps == Steps);
+    kinds.push_back(before && root.Kind == PatchShape::Tetrahedron
+        ? FindTetOctKind(*before, r, kinds.empty() ? -1 : kinds.back())
+        : root.Kind);
+  }
+  for (const std::size_t c : InTurn(isNested ? kinds.size() : 0))
+  {
+    this->AddCell(kinds[c]);
   }
 }
 
-/// The quarters of an octahedron follow each other.
-int NestedPieces::FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const
+/// The quarters of an octahedron follow each other. `last`: the kind of the cell before.
+int NestedPieces::FindTetOctKind(const TetOctMesh& before, vtkIdType cell, int last)
 {
   if (!before.Octahedra || before.Octahedra->GetComponent(cell, 0) < 0.)
   {
     return Lattice::TetOctTetrahedron;
   }
-  const int last = cell > 0 ? this->Kinds[cell - 1] : -1;
   const bool isFirst = last < Lattice::FirstQuarter || last == Lattice::NumberOfKinds - 1;
   return isFirst ? Lattice::FirstQuarter : last + 1;
 }
@@ -104,7 +92,7 @@ int NestedPieces::FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const
 bool NestedPieces::AreOf(vtkPointSet* mesh) const
 {
   const CellReader cells(mesh);
-  if (!this->IsNested || cells.GetNumberOfCells() != this->GetNumberOfCells())
+  if (cells.GetNumberOfCells() != this->GetNumberOfCells())
   {
     return false;
   }
@@ -112,11 +100,15 @@ bool NestedPieces::AreOf(vtkPointSet* mesh) const
   for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
-    const vtkIdType* corners = this->CellCorners.data() + MostCorners * c;
+    std::array<vtkIdType, MostCorners> corners{};
+    for (int k = 0; k < this->GetNumberOfCorners(c); ++k)
+    {
+      corners[k] = this->GetCorner(c, k);
+    }
     const bool isAnyOrder = this->Kinds[c] == Lattice::TetOctTetrahedron; // see AlignEqualTets
     if (cell.Size != this->GetNumberOfCorners(c) ||
-      !(isAnyOrder ? std::is_permutation(cell.Ids, cell.Ids + cell.Size, corners)
-                   : std::equal(cell.Ids, cell.Ids + cell.Size, corners)))
+      !(isAnyOrder ? std::is_permutation(cell.Ids, cell.Ids + cell.Size, corners.begin())
+                   : std::equal(cell.Ids, cell.Ids + cell.Size, corners.begin())))
     {
       return false;
     }
@@ -124,19 +116,8 @@ bool NestedPieces::AreOf(vtkPointSet* mesh) const
   return true;
 }
 
-void NestedPieces::CountPlaces()
-{
-  this->FirstPlaces.push_back(0);
-  for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
-  {
-    this->FirstPlaces.push_back(
-      this->FirstPlaces.back() + static_cast<vtkIdType>(this->GetLattice(c).Points.size()));
-  }
-}
-
 void NestedPieces::ReadPlaces(const BezierRoots& roots)
 {
-  this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
   ForEach(this->GetNumberOfCells(),
     [&](vtkIdType c)
     {
@@ -192,7 +173,7 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
         {
           vtkIdType* to = this->PlacePoints.data() + this->FirstPlaces[part];
           const Lattice& lattice = this->GetLattice(part);
-          for (int point = 0; point < static_cast<int>(lattice.Places.size()); ++point)
+          for (int point = 0; point < lattice.CountPoints(); ++point)
           {
             *to++ = reader.Get(lattice.GetPlaceInSolid(point));
           }
@@ -216,7 +197,7 @@ void NestedPieces::AlignEqualTets()
       Corners corners{};
       for (int k = 0; k < MostCorners; ++k)
       {
-        corners[k] = this->GetPoint(this->FirstPlaces[c] + lattice.GetCornerPoint(k));
+        corners[k] = this->GetCorner(c, k);
       }
       std::sort(corners.begin(), corners.end());
       tets.emplace_back(corners, c);
@@ -233,41 +214,29 @@ void NestedPieces::AlignEqualTets()
   }
 }
 
-void NestedPieces::FindCorners()
-{
-  this->CellCorners = Buffer<vtkIdType>(MostCorners * this->GetNumberOfCells(), -1);
-  ForEach(this->GetNumberOfCells(),
-    [&](vtkIdType c)
-    {
-      const Lattice& lattice = this->GetLattice(c);
-      for (int k = 0; k < lattice.Corners; ++k)
-      {
-        this->CellCorners[MostCorners * c + k] =
-          this->GetPoint(this->FirstPlaces[c] + lattice.GetCornerPoint(k));
-      }
-    });
-}
-
 /// All cells that have a new point find the same parents.
-void NestedPieces::FindParents(int step)
+void NestedPieces::FindParents()
 {
-  const vtkIdType before = this->Points[step - 1];
-  this->Parents[step] = Buffer<vtkIdType>(MostCorners * (this->Points[step] - before), -1);
-  for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
+  for (const int step : { 2, 3 })
   {
-    const vtkIdType first = this->FirstPlaces[c];
-    for (const Lattice::Middle& middle : this->GetLattice(c).Middles[step])
+    const vtkIdType before = this->Points[step - 1];
+    this->Parents[step] = Buffer<vtkIdType>(MostCorners * (this->Points[step] - before), -1);
+    for (const vtkIdType c : InTurn(this->GetNumberOfCells()))
     {
-      vtkIdType* parents =
-        this->Parents[step].data() + MostCorners * (this->GetPoint(first + middle.Point) - before);
-      if (parents[0] < 0)
+      const vtkIdType first = this->FirstPlaces[c];
+      for (const Lattice::Middle& middle : this->GetLattice(c).Middles[step])
       {
-        vtkIdType* end = parents;
-        for (int k = 0; k < MostCorners && middle.Parents[k] >= 0; ++k)
+        vtkIdType* parents = this->Parents[step].data() +
+          MostCorners * (this->GetPoint(first + middle.Point) - before);
+        if (parents[0] < 0)
         {
-          *end++ = this->GetPoint(first + middle.Parents[k]);
+          vtkIdType* end = parents;
+          for (int k = 0; k < MostCorners && middle.Parents[k] >= 0; ++k)
+          {
+            *end++ = this->GetPoint(first + middle.Parents[k]);
+          }
+          std::sort(parents, end);
         }
-        std::sort(parents, end);
       }
     }
   }

@@ -40,24 +40,24 @@ public:
   static constexpr int MostCorners = Lattice::MostCorners;
 
   /// `fine` is the mesh after the steps, `points` the numbers of points before, after one, two, and
-  /// all steps. `before`: the mesh before these if its scheme is tet/oct.
+  /// all steps. `before`: the mesh before these if its scheme is tet/oct. There are no cells if
+  /// some cell was not split in all steps.
   NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points,
     const TetOctMesh* before = nullptr);
 
   /// `kinds` has the kind of each cell (PieceLattice::Get), `placePoints` the points of all cells,
   /// each in the order of its lattice.
-  NestedPieces(std::vector<signed char> kinds, Buffer<vtkIdType> placePoints,
+  NestedPieces(const std::vector<int>& kinds, Buffer<vtkIdType> placePoints,
     const std::array<vtkIdType, Steps + 1>& points);
 
   /// Whether these are the cells of `mesh`, in its order. Corners of tet/oct tetrahedra may have
   /// another one.
   bool AreOf(vtkPointSet* mesh) const;
-  bool HasTets() const { return this->Has[PatchShape::Tetrahedron] || this->HasTetOct(); }
-  /// Whether solids follow the tet/oct scheme.
-  bool HasTetOct() const
+  bool HasTets() const
   {
-    return std::any_of(this->Has.begin() + Lattice::TetOctTetrahedron, this->Has.end(),
-      [](bool has) { return has; });
+    return this->Has[PatchShape::Tetrahedron] ||
+      std::any_of(this->Has.begin() + Lattice::TetOctTetrahedron, this->Has.end(),
+        [](bool has) { return has; });
   }
   /// Whether edges are cut into thirds.
   bool HasThirds() const
@@ -70,7 +70,7 @@ public:
   int GetNumberOfCorners(vtkIdType cell) const { return this->GetLattice(cell).Corners; }
   vtkIdType GetCorner(vtkIdType cell, int corner) const
   {
-    return this->CellCorners[MostCorners * cell + corner];
+    return this->GetPoint(this->FirstPlaces[cell] + this->GetLattice(cell).CornerPoints[corner]);
   }
 
   int GetDimension(vtkIdType cell) const { return this->GetLattice(cell).Dimension; }
@@ -97,25 +97,21 @@ public:
   }
 
 private:
-  void FindLattices();
   void ReadCells(const BezierRoots& roots, const TetOctMesh* before);
-  int FindTetOctKind(const TetOctMesh& before, vtkIdType cell) const;
+  static int FindTetOctKind(const TetOctMesh& before, vtkIdType cell, int last);
+  void AddCell(int kind);
   void ReadPlaces(const BezierRoots& roots);
   void ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before);
   void AlignEqualTets();
-  void CountPlaces();
-  void FindCorners();
-  void FindParents(int step);
+  void FindParents();
 
   std::array<vtkIdType, Steps + 1> Points;
-  std::vector<signed char> Kinds; ///< as PieceLattice::Get has them
-  Buffer<vtkIdType> CellCorners;
-  std::vector<vtkIdType> FirstPlaces; ///< of each cell, and one past the last
+  std::vector<signed char> Kinds;             ///< as PieceLattice::Get has them
+  std::vector<vtkIdType> FirstPlaces = { 0 }; ///< of each cell, and one past the last
   Buffer<vtkIdType> PlacePoints;
   std::array<Buffer<vtkIdType>, Steps + 1> Parents; ///< of the points of the last two steps
   std::array<const Lattice*, Lattice::NumberOfKinds + 1> Lattices; ///< by kind + 1
   std::array<bool, Lattice::NumberOfKinds> Has{};
-  bool IsNested = true;
 };
 
 }

@@ -4,64 +4,42 @@
 #include "Private/Bounds/TetOctPieces.h"
 
 #include <algorithm>
-#include <functional>
-#include <iterator>
+#include <cmath>
 #include <map>
+#include <utility>
 
 namespace subdivision
 {
 namespace
 {
 
-/// A place on the lattice of a shape as weights of its corners.
-PieceLattice::Weights WeighCorners(const PatchShape& shape, const LatticePoint& point, int all)
+/// The parts into which some steps cut a cell, in the order of cells, on a lattice of so many
+/// divisions. `children`: the parts of one step, on the lattice of `cuts` divisions.
+std::vector<LatticePart> ListParts(
+  int dimension, int steps, int divisions, const std::vector<LatticePart>& children, int cuts)
 {
-  const auto divide = [all](int x) { return static_cast<double>(x) / all; };
-  const double x = divide(point[0]);
-  const double y = divide(point[1]);
-  if (shape.Corners > shape.Dimension + 1)
+  std::vector<LatticePart> parts(1);
+  for (int axis = 0; axis < dimension; ++axis)
   {
-    return { { (1. - x) * (1. - y), x * (1. - y), x * y, (1. - x) * y } };
+    parts[0].Axes[axis][axis] = divisions;
   }
-  return { { divide(all - point[0] - point[1] - point[2]), x, y, divide(point[2]) } };
-}
-
-/// The parts that some steps split a shape into, in the order of cells, on a lattice of so many
-/// divisions.
-std::vector<LatticePart> ListParts(const PatchShape& shape, int steps, int divisions)
-{
-  LatticePart whole;
-  for (int axis = 0; axis < shape.Dimension; ++axis)
-  {
-    whole.Axes[axis][axis] = divisions;
-  }
-  std::vector<LatticePart> parts{ whole };
   for (int step = 0; step < steps; ++step)
   {
-    std::vector<LatticePart> children;
+    std::vector<LatticePart> next;
     for (const LatticePart& part : parts)
     {
-      std::transform(shape.Children.begin(), shape.Children.end(), std::back_inserter(children),
-        [&part](const LatticePart& child) { return part.Take(child); });
+      for (const LatticePart& child : children)
+      {
+        next.push_back(part.Take(child, cuts));
+      }
     }
-    parts = std::move(children);
+    parts = std::move(next);
   }
   return parts;
 }
 
-/// Where a corner of a part is that is no quad.
-LatticePoint GetCorner(const LatticePart& part, int corner)
-{
-  LatticePoint place = part.Origin;
-  for (int x = 0; corner > 0 && x < 3; ++x)
-  {
-    place[x] += part.Axes[corner - 1][x];
-  }
-  return place;
-}
-
 /// The three lines, or nine triangles, in which the edges of one are cut into thirds.
-std::vector<LatticePart> ListThirds(int dimension, int divisions)
+std::vector<LatticePart> ListThirds(int dimension)
 {
   std::vector<LatticePart> parts;
   const auto add = [&](int x, int y, int size)
@@ -74,19 +52,29 @@ std::vector<LatticePart> ListThirds(int dimension, int divisions)
     }
     parts.push_back(part);
   };
-  const int third = divisions / 3;
-  for (int y = 0; y < (dimension == 2 ? divisions : 1); y += third)
+  for (int y = 0; y < (dimension == 2 ? 3 : 1); ++y)
   {
-    for (int x = 0; x + y < divisions; x += third)
+    for (int x = 0; x + y < 3; ++x)
     {
-      add(x, y, third);
-      if (dimension == 2 && x + y + third < divisions)
+      add(x, y, 1);
+      if (dimension == 2 && x + y < 2)
       {
-        add(x + third, y + third, -third); // turned by half a turn
+        add(x + 1, y + 1, -1); // turned by half a turn
       }
     }
   }
   return parts;
+}
+
+PatchShape::Kind GetShape(int kind)
+{
+  if (kind < PatchShape::NumberOfKinds)
+  {
+    return static_cast<PatchShape::Kind>(kind);
+  }
+  return kind == PieceLattice::CurveInThirds ? PatchShape::Curve
+    : kind == PieceLattice::TriangleInThirds ? PatchShape::Triangle
+                                             : PatchShape::Tetrahedron;
 }
 
 int Number(const LatticePoint& place, int side)
@@ -96,34 +84,97 @@ int Number(const LatticePoint& place, int side)
 
 }
 
+PieceLattice PieceLattice::Make(int kind)
+{
+  PieceLattice lattice;
+  std::vector<LatticePart> children(1); // a vertex stays
+  int steps = Steps;                    // that cut the cell
+  if (kind >= 0)
+  {
+    const PatchShape& shape = PatchShape::Get(GetShape(kind));
+    lattice.Dimension = shape.Dimension;
+    lattice.Corners = shape.Corners;
+    for (int k = 0; k < shape.Corners; ++k)
+    {
+      std::transform(shape.CornerPoints[k].begin(), shape.CornerPoints[k].end(),
+        lattice.CornerPlaces[k].begin(), [](int x) { return x / 2; });
+    }
+    children = shape.Children;
+  }
+  if (kind == CurveInThirds || kind == TriangleInThirds)
+  {
+    lattice.Cuts = 3;
+    lattice.Size = DivisionsInThirds;
+    children = ListThirds(lattice.Dimension);
+    steps = 2;
+  }
+  const auto listParts = [&](int times, int divisions)
+  { return ListParts(lattice.Dimension, times, divisions, children, lattice.Cuts); };
+  lattice.AddPoints(listParts(steps, lattice.Size));
+  for (int times = 0; times < steps; ++times)
+  {
+    lattice.AddMiddles(Steps - steps + times + 1, listParts(times, lattice.Size), children);
+  }
+  lattice.Children = listParts(1, lattice.Cuts * lattice.Size);
+  lattice.ChildKinds.assign(lattice.Children.size(), kind);
+  lattice.Neighbours.resize(lattice.Places.size());
+  if (kind < TetOctTetrahedron)
+  {
+    lattice.AddNeighbours();
+  }
+  else
+  {
+    lattice.Quarter = kind - FirstQuarter;
+    lattice.AddNeighboursInSolids();
+    lattice.TurnChildren();
+  }
+  for (std::vector<int>& neighbours : lattice.Neighbours)
+  {
+    std::sort(neighbours.begin(), neighbours.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  }
+  return lattice;
+}
+
 int PieceLattice::AddPoint(const LatticePoint& place)
 {
-  int& number = this->Numbers[Number(place, this->GetSide())];
+  int& number = this->Numbers[Number(place, this->Size + 1)];
   if (number < 0)
   {
-    number = static_cast<int>(this->Places.size());
+    number = this->CountPoints();
     this->Places.push_back(place);
+    this->Points.push_back(this->WeighCorners(place, this->Size));
+    this->Faces.push_back(0);
+    for (int k = 0; k < this->Corners; ++k)
+    {
+      this->Faces.back() |= this->Points.back()[k] > 0. ? 1U << k : 0U;
+    }
   }
   return number;
 }
 
 /// The points in the order in which pieces have them first.
-void PieceLattice::AddPieces(const PatchShape& shape)
+void PieceLattice::AddPoints(const std::vector<LatticePart>& pieces)
 {
-  const int side = this->GetSide();
+  const int side = this->Size + 1;
   this->Numbers.assign(side * side * side, -1);
-  for (const LatticePart& part : ListParts(shape, Steps, Divisions))
+  for (const LatticePart& piece : pieces)
   {
-    for (const LatticePoint& corner : shape.CornerPoints)
+    for (int k = 0; k < this->Corners; ++k)
     {
-      this->Pieces.push_back(this->AddPoint(part.At(corner, 2)));
+      this->Pieces.push_back(this->AddPoint(piece.At(this->CornerPlaces[k], 1)));
     }
+  }
+  for (int k = 0; k < this->Corners; ++k)
+  {
+    const LatticePoint& unit = this->CornerPlaces[k];
+    this->CornerPoints[k] =
+      this->Find({ { this->Size * unit[0], this->Size * unit[1], this->Size * unit[2] } });
   }
 }
 
 void PieceLattice::AddNeighbours()
 {
-  this->Neighbours.resize(this->Places.size());
   for (std::size_t piece = 0; piece < this->Pieces.size(); piece += this->Corners)
   {
     const auto begin = this->Pieces.begin() + static_cast<std::ptrdiff_t>(piece);
@@ -133,36 +184,33 @@ void PieceLattice::AddNeighbours()
       neighbours.insert(neighbours.end(), begin, begin + this->Corners);
     }
   }
-  this->SortNeighbours();
 }
 
-void PieceLattice::SortNeighbours()
-{
-  for (std::vector<int>& neighbours : this->Neighbours)
-  {
-    std::sort(neighbours.begin(), neighbours.end());
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  }
-}
-
-std::vector<PieceLattice::Middle> PieceLattice::ListMiddles(const PatchShape& shape, int step) const
+/// Adds the points that a step makes of parts. A part and its neighbours make the same ones.
+void PieceLattice::AddMiddles(
+  int step, const std::vector<LatticePart>& parts, const std::vector<LatticePart>& children)
 {
   std::map<int, Middle> found;
-  for (const LatticePart& part : ListParts(shape, step - 1, Divisions))
+  for (const LatticePart& part : parts)
   {
-    for (const LatticePart& child : shape.Children)
+    for (const LatticePart& child : children)
     {
-      for (const LatticePoint& corner : shape.CornerPoints)
+      for (int k = 0; k < this->Corners; ++k)
       {
-        const LatticePoint place = child.At(corner, 2);
-        const Weights weights = WeighCorners(shape, place, 2);
-        Middle middle{ this->Find(part.At(place, 2)), { { -1, -1, -1, -1 } } };
-        int parents = 0;
-        for (int k = 0; k < shape.Corners; ++k)
+        const LatticePoint place = child.At(this->CornerPlaces[k], 1);
+        const Weights weights = this->WeighCorners(place, this->Cuts);
+        double least = 1.; // of the parents; others have multiples of it
+        for (const double weight : weights)
         {
-          if (weights[k] > 0.)
+          least = weight > 0. ? std::min(least, weight) : least;
+        }
+        Middle middle{ this->Find(part.At(place, this->Cuts)), { { -1, -1, -1, -1 } } };
+        int parents = 0;
+        for (int of = 0; of < this->Corners; ++of)
+        {
+          for (auto left = std::lround(weights[of] / least); left > 0; --left)
           {
-            middle.Parents[parents++] = this->Find(part.At(shape.CornerPoints[k], 2));
+            middle.Parents[parents++] = this->Find(part.At(this->CornerPlaces[of], 1));
           }
         }
         if (parents > 1)
@@ -172,147 +220,14 @@ std::vector<PieceLattice::Middle> PieceLattice::ListMiddles(const PatchShape& sh
       }
     }
   }
-  std::vector<Middle> middles;
-  std::transform(found.begin(), found.end(), std::back_inserter(middles),
-    [](const auto& entry) { return entry.second; });
-  return middles;
-}
-
-PieceLattice PieceLattice::MakeVertex()
-{
-  PieceLattice lattice;
-  const int side = lattice.GetSide();
-  lattice.Numbers.assign(side * side * side, -1);
-  lattice.AddPoint({ { 0, 0, 0 } });
-  lattice.Points.push_back({ { 1., 0., 0., 0. } });
-  lattice.Faces.push_back(1);
-  lattice.Neighbours.push_back({ 0 });
-  lattice.Pieces.push_back(0);
-  lattice.Children.emplace_back();
-  lattice.ChildKinds.push_back(-1);
-  return lattice;
-}
-
-void PieceLattice::WeighPoints(const PatchShape& shape)
-{
-  for (const LatticePoint& place : this->Places)
+  for (const auto& entry : found)
   {
-    this->Points.push_back(WeighCorners(shape, place, this->Size));
-    Mask face = 0;
-    for (int k = 0; k < shape.Corners; ++k)
-    {
-      face |= this->Points.back()[k] > 0. ? 1U << k : 0U;
-    }
-    this->Faces.push_back(face);
+    this->Middles[step].push_back(entry.second);
   }
 }
 
-void PieceLattice::PlaceCorners(const PatchShape& shape)
-{
-  for (int k = 0; k < shape.Corners; ++k)
-  {
-    for (int axis = 0; axis < shape.Dimension; ++axis)
-    {
-      this->CornerPlaces[k][axis] = shape.CornerPoints[k][axis] / 2;
-    }
-  }
-}
-
-PieceLattice PieceLattice::Make(const PatchShape& shape)
-{
-  PieceLattice lattice;
-  lattice.Dimension = shape.Dimension;
-  lattice.Corners = shape.Corners;
-  lattice.AddPieces(shape);
-  lattice.WeighPoints(shape);
-  lattice.AddNeighbours();
-  for (int step = 1; step <= Steps; ++step)
-  {
-    lattice.Middles[step] = lattice.ListMiddles(shape, step);
-  }
-  lattice.PlaceCorners(shape);
-  lattice.Children = ListParts(shape, 1, 2 * Divisions);
-  const auto all = PatchShape::NumberOfKinds;
-  for (int kind = 0; kind < all && lattice.ChildKinds.empty(); ++kind)
-  {
-    if (&shape == &PatchShape::Get(static_cast<PatchShape::Kind>(kind)))
-    {
-      lattice.ChildKinds.assign(lattice.Children.size(), kind);
-    }
-  }
-  return lattice;
-}
-
-/// The points at the thirds of the edges of a line or triangle, and in its middle.
-void PieceLattice::AddThirds(int step, const LatticePart& part)
-{
-  const auto add = [&](const std::array<int, 3>& parents)
-  {
-    LatticePoint sum{ { 0, 0, 0 } };
-    Middle middle{ -1, { { -1, -1, -1, -1 } } };
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const LatticePoint corner = GetCorner(part, parents[i]);
-      middle.Parents[i] = this->AddPoint(corner);
-      std::transform(sum.begin(), sum.end(), corner.begin(), sum.begin(), std::plus<>());
-    }
-    middle.Point = this->AddPoint({ { sum[0] / 3, sum[1] / 3, sum[2] / 3 } });
-    this->Middles[step].push_back(middle);
-  };
-  for (int near = 0; near < this->Corners; ++near)
-  {
-    for (int far = 0; far < this->Corners; ++far)
-    {
-      if (near != far)
-      {
-        add({ { near, near, far } });
-      }
-    }
-  }
-  if (this->Corners == 3)
-  {
-    add({ { 0, 1, 2 } });
-  }
-}
-
-/// A line or triangle whose edges two steps cut into thirds, and these again.
-PieceLattice PieceLattice::MakeInThirds(int kind)
-{
-  const PatchShape& shape =
-    PatchShape::Get(kind == CurveInThirds ? PatchShape::Curve : PatchShape::Triangle);
-  PieceLattice lattice;
-  lattice.Dimension = shape.Dimension;
-  lattice.Corners = shape.Corners;
-  lattice.Size = DivisionsInThirds;
-  const int side = lattice.GetSide();
-  lattice.Numbers.assign(side * side * side, -1);
-  lattice.PlaceCorners(shape);
-  lattice.Children = ListThirds(shape.Dimension, lattice.Size);
-  lattice.ChildKinds.assign(lattice.Children.size(), kind);
-  LatticePart whole;
-  for (int axis = 0; axis < shape.Dimension; ++axis)
-  {
-    whole.Axes[axis][axis] = lattice.Size;
-  }
-  lattice.AddThirds(2, whole);
-  for (const LatticePart& child : lattice.Children)
-  {
-    lattice.AddThirds(3, child);
-    for (const LatticePart& piece : lattice.Children)
-    {
-      for (int k = 0; k < shape.Corners; ++k)
-      {
-        lattice.Pieces.push_back(lattice.Find(child.At(GetCorner(piece, k), lattice.Size)));
-      }
-    }
-  }
-  lattice.WeighPoints(shape);
-  lattice.AddNeighbours();
-  return lattice;
-}
-
-/// Where a point is in an octahedron (TetOctPieces) that has this as one of its quarters; itself
-/// where `quarter` is negative.
+/// Where a point is in an octahedron (TetOctPieces) that has this as one of its quarters; where the
+/// point is in the cell, where `quarter` is negative.
 LatticePoint PieceLattice::GetPlaceInQuarter(int quarter, int point) const
 {
   if (quarter < 0)
@@ -333,45 +248,34 @@ LatticePoint PieceLattice::GetPlaceInQuarter(int quarter, int point) const
   return place;
 }
 
-/// As any tetrahedron, but for neighbours. With their order of corners the children of a quarter
-/// lie in quarters and tetrahedra of the next levels (Mathematics 14).
-PieceLattice PieceLattice::MakeOfTetOct(int kind)
+/// The neighbours in a tet/oct solid.
+void PieceLattice::AddNeighboursInSolids()
 {
-  PieceLattice lattice = Make(PatchShape::Get(PatchShape::Tetrahedron));
-  const int quarter = kind - FirstQuarter;
-  lattice.Quarter = quarter;
-  const int size = static_cast<int>(lattice.Places.size());
-  std::map<LatticePoint, int>& points = lattice.PointsOfSolid; // its own where it has them
+  const int size = this->CountPoints();
   const auto add = [&](int of)
   {
     for (int point = 0; point < size; ++point)
     {
-      points.try_emplace(lattice.GetPlaceInQuarter(of, point), point + size * (of - quarter));
+      this->PointsOfSolid.try_emplace(
+        this->GetPlaceInQuarter(of, point), point + size * (of - this->Quarter));
     }
   };
-  add(quarter);
-  for (int other = 0; quarter >= 0 && other < 4; ++other)
+  add(this->Quarter); // its own points, where it has them
+  for (int other = 0; this->Quarter >= 0 && other < 4; ++other)
   {
     add(other);
   }
-  for (std::vector<int>& neighbours : lattice.Neighbours)
-  {
-    neighbours.clear();
-  }
-  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(quarter >= 0).Solids)
+  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(this->Quarter >= 0).Solids)
   {
     for (int i = 0; i < solid.CountCorners(); ++i)
     {
-      const int point = points.at(solid.Corners[i]);
-      for (int j = 0; point >= 0 && point < size && j < solid.CountCorners(); ++j)
+      const int point = this->PointsOfSolid.at(solid.Corners[i]);
+      for (int j = 0; this->Has(point) && j < solid.CountCorners(); ++j)
       {
-        lattice.Neighbours[point].push_back(points.at(solid.Corners[j]));
+        this->Neighbours[point].push_back(this->PointsOfSolid.at(solid.Corners[j]));
       }
     }
   }
-  lattice.SortNeighbours();
-  lattice.TurnChildren();
-  return lattice;
 }
 
 /// Finds the kinds of the children of a tet/oct solid, and gives quarters among them the order of
@@ -382,7 +286,8 @@ void PieceLattice::TurnChildren()
   const auto turn = [this](int child, int kind, const std::array<int, 4>& corners)
   {
     LatticePart& part = this->Children[child];
-    const auto getCorner = [of = part](int corner) { return GetCorner(of, corner); };
+    const auto getCorner = [this, of = part](int corner)
+    { return of.At(this->CornerPlaces[corner], 1); };
     part.Origin = getCorner(corners[0]);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -448,39 +353,67 @@ std::vector<PieceLattice::QuarterChild> PieceLattice::ListOctahedron(int child) 
 
 const PieceLattice& PieceLattice::Get(int kind)
 {
-  static const std::array<PieceLattice, NumberOfKinds + 1> all{ MakeVertex(),
-    Make(PatchShape::Get(PatchShape::Curve)), Make(PatchShape::Get(PatchShape::Triangle)),
-    Make(PatchShape::Get(PatchShape::Quad)), Make(PatchShape::Get(PatchShape::Tetrahedron)),
-    MakeInThirds(CurveInThirds), MakeInThirds(TriangleInThirds), MakeOfTetOct(TetOctTetrahedron),
-    MakeOfTetOct(FirstQuarter), MakeOfTetOct(FirstQuarter + 1), MakeOfTetOct(FirstQuarter + 2),
-    MakeOfTetOct(FirstQuarter + 3) };
+  static const std::vector<PieceLattice> all = []
+  {
+    std::vector<PieceLattice> made;
+    for (int k = -1; k < NumberOfKinds; ++k)
+    {
+      made.push_back(Make(k));
+    }
+    return made;
+  }();
   return all[kind + 1];
 }
 
 PieceLattice::Mask PieceLattice::Close(Mask corners) const
 {
-  // Of two opposite corners of a quad, or three of them, that is the quad. All other sets are
-  // faces.
+  // The quad itself has two opposite corners, or three corners. All other sets are faces.
   const bool isFace = (corners & (corners - 1U)) == 0 || corners == 3U || corners == 6U ||
     corners == 12U || corners == 9U;
-  return this->Dimension == 2 && this->Corners == 4 && !isFace ? this->GetWhole() : corners;
+  return this->IsQuad() && !isFace ? this->GetWhole() : corners;
+}
+
+PieceLattice::Weights PieceLattice::WeighCorners(const LatticePoint& place, int divisions) const
+{
+  const auto divide = [divisions](int x) { return static_cast<double>(x) / divisions; };
+  const double x = divide(place[0]);
+  const double y = divide(place[1]);
+  if (this->IsQuad())
+  {
+    return { { (1. - x) * (1. - y), x * (1. - y), x * y, (1. - x) * y } };
+  }
+  return { { divide(divisions - place[0] - place[1] - place[2]), x, y, divide(place[2]) } };
 }
 
 int PieceLattice::Find(const LatticePoint& place) const
 {
-  const int side = this->GetSide();
+  const int side = this->Size + 1;
   const bool isInside =
     std::all_of(place.begin(), place.end(), [side](int x) { return x >= 0 && x < side; });
   return isInside ? this->Numbers[Number(place, side)] : -1;
+}
+
+int PieceLattice::FindOfChild(int child, int point) const
+{
+  LatticePoint place = this->GetPlaceInChild(child, point);
+  for (int& x : place)
+  {
+    if (x % this->Cuts != 0)
+    {
+      return -1;
+    }
+    x /= this->Cuts;
+  }
+  return this->Find(place);
 }
 
 int PieceLattice::GetStep(int point) const
 {
   int step = Steps;
   const LatticePoint& place = this->Places[point];
-  for (int size = 2;
-    step > 0 && std::all_of(place.begin(), place.end(), [size](int x) { return x % size == 0; });
-    size *= 2)
+  for (int size = this->Cuts; size <= this->Size &&
+    std::all_of(place.begin(), place.end(), [size](int x) { return x % size == 0; });
+    size *= this->Cuts)
   {
     --step;
   }

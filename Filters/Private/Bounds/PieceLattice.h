@@ -36,6 +36,7 @@ struct PieceLattice
 
   int Dimension = 0;
   int Corners = 1;
+  int Cuts = 2;                     ///< the parts into which a step cuts an edge
   int Size = Divisions;             ///< the divisions of an edge of this cell
   std::vector<LatticePoint> Places; ///< where each point is
   std::vector<Weights> Points;      ///< each as weights of the corners of the cell
@@ -48,8 +49,9 @@ struct PieceLattice
   std::array<std::vector<Middle>, Steps + 1> Middles; ///< the points that each step makes
   /// Where the corners are, where the cell has one division.
   std::array<LatticePoint, MostCorners> CornerPlaces{};
-  /// The children that the first step makes of the cell, on the lattice of twice as many divisions;
-  /// in thirds the ones of the second step, on its own lattice. Pieces come child by child.
+  std::array<int, MostCorners> CornerPoints{};
+  /// The parts into which the first step that cuts the cell cuts it, on a lattice with `Cuts` times
+  /// as many divisions. Pieces come child by child.
   std::vector<LatticePart> Children;
   std::vector<int> ChildKinds;
   /// Of a tet/oct solid: its points, and the points of all quarters of its octahedron, by their
@@ -80,48 +82,40 @@ struct PieceLattice
   static const PieceLattice& Get(int kind);
 
   /// Whether a neighbour is one of its own points.
-  bool Has(int neighbour) const
-  {
-    return neighbour >= 0 && neighbour < static_cast<int>(this->Places.size());
-  }
+  bool Has(int neighbour) const { return neighbour >= 0 && neighbour < this->CountPoints(); }
+  int CountPoints() const { return static_cast<int>(this->Places.size()); }
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()) / this->Corners; }
   Mask GetWhole() const { return (1U << this->Corners) - 1U; }
+  bool IsQuad() const { return this->Corners > this->Dimension + 1; }
   /// The smallest face that has some corners.
   Mask Close(Mask corners) const;
+  /// A place on a lattice of so many divisions as weights of the corners.
+  Weights WeighCorners(const LatticePoint& place, int divisions) const;
   /// The point at a place; -1 if there is none.
   int Find(const LatticePoint& place) const;
-  int GetCornerPoint(int corner) const
-  {
-    const LatticePoint& unit = this->CornerPlaces[corner];
-    return this->Find({ { this->Size * unit[0], this->Size * unit[1], this->Size * unit[2] } });
-  }
-  /// Where a point of a child is, on the lattice of twice as many divisions.
+  /// Where a point of a child is, on the lattice of the children.
   LatticePoint GetPlaceInChild(int child, int point) const
   {
-    return this->Children[child].At(this->Places[point], Divisions);
+    return this->Children[child].At(this->Places[point], this->Size);
   }
+  /// The point of the cell that a point of a child is; -1 if the cell does not have it yet.
+  int FindOfChild(int child, int point) const;
   /// Where a point is in a solid of the tet/oct scheme (TetOctPieces).
   LatticePoint GetPlaceInSolid(int point) const
   {
     return this->GetPlaceInQuarter(this->Quarter, point);
   }
-  /// The step that makes a point; 0: it is a corner.
+  /// The step that makes a point. Corners are there before the first step that cuts the cell.
   int GetStep(int point) const;
 
 private:
-  int GetSide() const { return this->Size + 1; }
   int AddPoint(const LatticePoint& place);
-  void AddPieces(const PatchShape& shape);
+  void AddPoints(const std::vector<LatticePart>& pieces);
   void AddNeighbours();
-  void SortNeighbours();
-  std::vector<Middle> ListMiddles(const PatchShape& shape, int step) const;
-  static PieceLattice MakeVertex();
-  static PieceLattice Make(const PatchShape& shape);
-  static PieceLattice MakeOfTetOct(int kind);
-  static PieceLattice MakeInThirds(int kind);
-  void AddThirds(int step, const LatticePart& part);
-  void WeighPoints(const PatchShape& shape);
-  void PlaceCorners(const PatchShape& shape);
+  void AddNeighboursInSolids();
+  void AddMiddles(
+    int step, const std::vector<LatticePart>& parts, const std::vector<LatticePart>& children);
+  static PieceLattice Make(int kind);
   void TurnChildren();
   LatticePoint GetPlaceInQuarter(int quarter, int point) const;
 

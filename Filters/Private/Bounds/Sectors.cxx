@@ -131,55 +131,24 @@ void Sectors::ListPlaces()
     [](vtkIdType place) { return place; });
 }
 
-/// The spots of a point follow each other. A number that no place has is left out.
+/// Places of one point that have the same sector are one spot.
 void Sectors::ListSpots()
 {
-  const vtkIdType points = this->Pieces.GetNumberOfPoints(NestedPieces::Steps);
-  const auto getNumber = [this](vtkIdType place)
-  {
-    const vtkIdType cell = this->CellsOfPlaces[place];
-    const vtkIdType at = place - this->Pieces.GetFirstPlace(cell);
-    return this->Numbers[Masks * cell + this->Pieces.GetLattice(cell).Faces[at]];
-  };
-  // For each place of a point, in the order of numbers.
-  const auto forPlaces = [&](vtkIdType point, const auto& act) // act(place, isOfNextNumber)
-  {
-    thread_local std::vector<std::pair<int, vtkIdType>> places;
-    places.clear();
-    for (const vtkIdType place : this->PlacesOfPoints[point])
+  Buffer<std::array<vtkIdType, 2>> pairs(this->Pieces.GetNumberOfPlaces());
+  ForEach(pairs.size(),
+    [&](vtkIdType place)
     {
-      places.emplace_back(getNumber(place), place);
-    }
-    std::sort(places.begin(), places.end());
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-      act(places[i].second, i == 0 || places[i].first != places[i - 1].first);
-    }
-  };
-  Buffer<vtkIdType> firsts(points + 1, 0);
-  ForEach(points, [&](vtkIdType point)
-    { forPlaces(point, [&](vtkIdType, bool isNext) { firsts[point] += isNext ? 1 : 0; }); });
-  CountsToOffsets(firsts);
-  this->Spots = Buffer<vtkIdType>(this->Pieces.GetNumberOfPlaces());
-  this->PlacesOfSpots = Buffer<vtkIdType>(firsts[points]);
-  ForEach(points,
-    [&](vtkIdType point)
-    {
-      vtkIdType spot = firsts[point] - 1;
-      forPlaces(point,
-        [&](vtkIdType place, bool isNext)
-        {
-          if (isNext)
-          {
-            this->PlacesOfSpots[++spot] = place;
-          }
-          this->Spots[place] = spot;
-        });
+      const vtkIdType cell = this->CellsOfPlaces[place];
+      pairs[place] = { { this->Pieces.GetPoint(place),
+        this->Numbers[Masks * cell + this->GetFaceOf(place)] } };
     });
-  for (const vtkIdType point : InTurn(points))
+  TupleNumbers<vtkIdType> numbers =
+    NumberTuples<2>(pairs, this->Pieces.GetNumberOfPoints(NestedPieces::Steps), 0);
+  this->Spots = std::move(numbers.Numbers);
+  this->PlacesOfSpots = std::move(numbers.Representatives);
+  for (const vtkIdType spot : InTurn(this->GetNumberOfSpots()))
   {
-    for (vtkIdType spot = firsts[point];
-      this->PlacesOfPoints[point].size() >= ManyPlaces && spot < firsts[point + 1]; ++spot)
+    if (this->GetPlaces(this->Pieces.GetPoint(this->PlacesOfSpots[spot])).size() >= ManyPlaces)
     {
       this->LargeSpots.push_back(spot);
     }
@@ -201,7 +170,12 @@ void Sectors::FindInfluences(const Step& last)
       {
         // Inside a cell that is no face all columns are in that cell.
         const Row<vtkIdType> places = this->PlacesOfPoints[point];
-        if (places.size() > 1 || (places.size() == 1 && !this->IsInside(*places.begin())))
+        const auto isInside = [this](vtkIdType place)
+        {
+          return this->GetFaceOf(place) ==
+            this->Pieces.GetLattice(this->CellsOfPlaces[place]).GetWhole();
+        };
+        if (places.size() > 1 || (places.size() == 1 && !isInside(*places.begin())))
         {
           ForColumns(last, last.size(), point, 1.,
             [&](vtkIdType column, double) { this->AddInfluences(point, column, found); });
@@ -229,30 +203,18 @@ void Sectors::FindInfluences(const Step& last)
   }
 }
 
-bool Sectors::IsInside(vtkIdType place) const
-{
-  const vtkIdType cell = this->CellsOfPlaces[place];
-  const NestedPieces::Lattice& lattice = this->Pieces.GetLattice(cell);
-  return lattice.Faces[place - this->Pieces.GetFirstPlace(cell)] == lattice.GetWhole();
-}
-
 /// The face of a point depends on the face which spans that one and a column of the point's row.
 void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const
 {
   const Row<vtkIdType> places = this->PlacesOfPoints[point];
   const Row<vtkIdType> others = this->PlacesOfPoints[column];
-  const auto getFace = [this](vtkIdType place)
-  {
-    const vtkIdType cell = this->CellsOfPlaces[place];
-    return this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
-  };
   const vtkIdType cellOfFirst = this->CellsOfPlaces[*places.begin()];
-  const Mask faceOfFirst = getFace(*places.begin());
+  const Mask faceOfFirst = this->GetFaceOf(*places.begin());
   const vtkIdType face = this->GetFace(cellOfFirst, faceOfFirst);
   bool isFound = false;
   // Most columns of a row lie in the same face or on its border, in all cells that have it.
   this->ForPlacesIn(cellOfFirst, column,
-    [&](vtkIdType other) { isFound = isFound || (getFace(other) & ~faceOfFirst) == 0; });
+    [&](vtkIdType other) { isFound = isFound || (this->GetFaceOf(other) & ~faceOfFirst) == 0; });
   if (isFound)
   {
     return;
@@ -261,8 +223,8 @@ void Sectors::AddInfluences(vtkIdType point, vtkIdType column, Ways& influences)
   {
     isFound = true;
     const vtkIdType cell = this->CellsOfPlaces[place];
-    const Mask own = getFace(place);
-    const Mask both = this->Pieces.GetLattice(cell).Close(own | getFace(other));
+    const Mask own = this->GetFaceOf(place);
+    const Mask both = this->Pieces.GetLattice(cell).Close(own | this->GetFaceOf(other));
     if (both != own)
     {
       influences.emplace_back(face, Masks * cell + both);

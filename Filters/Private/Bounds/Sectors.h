@@ -25,15 +25,18 @@ class Sectors
 public:
   /// The factors of a step, the first to be applied first.
   using Step = std::vector<const MatrixFactors::Matrix*>;
+  /// Columns and weights of a row.
+  using Entries = std::vector<std::pair<vtkIdType, double>>;
   using Mask = NestedPieces::Mask;
 
   /// `last`: the last step of the pieces, whose rows tell all sectors.
   Sectors(const NestedPieces& pieces, const Step& last);
 
-  /// The limit next to a place of a cell depends on points that have a piece in common with it, in
-  /// its sector alone. Calls whole(place) for the place in each cell that is all in the sector, as
-  /// its own cell is: all neighbours there count. Of other cells calls rest(place) for each
-  /// neighbour in the face that is in the sector.
+  /// Visits the points on which the limit next to a point of a cell depends: points of the pieces
+  /// at it that belong to its sector. The sector has whole cells, the cell itself among them. For
+  /// each of these this calls whole(place), with the place of the point in that cell: all
+  /// neighbours of the place count. Of other cells the sector has a face only. There this calls
+  /// rest(place) for each neighbour that lies in the face.
   template <typename Whole, typename Rest>
   void ForSector(vtkIdType cell, int point, const Whole& whole, const Rest& rest) const;
   /// A spot is a point in one of its sectors: the places there all have the same limit next to
@@ -97,6 +100,12 @@ private:
   static constexpr vtkIdType ManyPlaces = 64;
 
   vtkIdType GetFace(vtkIdType cell, Mask mask) const { return this->Faces[Masks * cell + mask]; }
+  /// The face of its cell that a place is inside of.
+  Mask GetFaceOf(vtkIdType place) const
+  {
+    const vtkIdType cell = this->CellsOfPlaces[place];
+    return this->Pieces.GetLattice(cell).Faces[place - this->Pieces.GetFirstPlace(cell)];
+  }
   const Sector& GetSector(vtkIdType cell, Mask face) const
   {
     return this->Found[this->GetFace(cell, face)][this->Numbers[Masks * cell + face]];
@@ -108,7 +117,6 @@ private:
   void ListPlaces();
   void ListSpots();
   void FindInfluences(const Step& last);
-  bool IsInside(vtkIdType place) const;
   void AddInfluences(vtkIdType point, vtkIdType column, Ways& influences) const;
   void FindSectors(vtkIdType face);
   Sector FollowInfluences(Member holder, Member from, const FaceSet& leftOut, Ways& ways) const;
@@ -146,6 +154,27 @@ void ForColumns(
                    : ForColumns(step, factors - 1, factor.Columns[e], product, act);
     }
   }
+}
+
+/// A row of the product of some factors, of columns that are renamed; each one is there once.
+template <typename Rename>
+Sectors::Entries GetRow(const Sectors::Step& step, vtkIdType row, const Rename& rename)
+{
+  Sectors::Entries entries;
+  ForColumns(step, step.size(), row, 1.,
+    [&](vtkIdType column, double weight)
+    {
+      const vtkIdType name = rename(column);
+      const auto at = std::find_if(
+        entries.begin(), entries.end(), [name](const auto& entry) { return entry.first == name; });
+      if (at == entries.end())
+      {
+        entries.emplace_back(name, weight);
+        return;
+      }
+      at->second += weight;
+    });
+  return entries;
 }
 
 template <typename Act>

@@ -8,6 +8,7 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <vector>
 
@@ -17,19 +18,30 @@ namespace
 {
 
 using Lattice = PieceLattice;
-using Ends = std::array<vtkIdType, 2>;
-using Triangle = std::array<vtkIdType, 3>;
+using Corners = std::array<vtkIdType, 3>; ///< of a cell; -1 behind the last one
 
 /// The cells of a mesh: first vertices, then lines, then triangles.
 struct SortedCells
 {
-  std::vector<vtkIdType> Vertices;
-  std::vector<Ends> Lines;
-  std::vector<Triangle> Triangles;
-  vtkIdType Points = 0;
-  bool HasOthers = false;
+  std::vector<Corners> Cells;
+  vtkIdType FirstLine = 0;
+  vtkIdType FirstTriangle = 0;
+  vtkIdType Points;
+  bool HasOthers = false; ///< other cells, or another order
 
   explicit SortedCells(vtkPointSet* mesh);
+  vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Cells.size()); }
+  vtkIdType CountLines() const { return this->FirstTriangle - this->FirstLine; }
+  vtkIdType CountTriangles() const { return this->GetNumberOfCells() - this->FirstTriangle; }
+  int GetDimension(vtkIdType cell) const
+  {
+    return cell < this->FirstLine ? 0 : cell < this->FirstTriangle ? 1 : 2;
+  }
+  bool Has(vtkIdType cell, vtkIdType point) const
+  {
+    const Corners& corners = this->Cells[cell];
+    return std::find(corners.begin(), corners.end(), point) != corners.end();
+  }
 };
 
 SortedCells::SortedCells(vtkPointSet* mesh)
@@ -37,67 +49,35 @@ SortedCells::SortedCells(vtkPointSet* mesh)
 {
   const CellReader cells(mesh);
   std::vector<vtkIdType> scratch;
+  int dimension = 0;
   for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
   {
     const CellIds cell = cells.GetCell(c, scratch);
     const int type = cells.GetGridType(c, cell.Size);
-    if (type == VTK_TRIANGLE)
-    {
-      this->Triangles.push_back({ { cell.Ids[0], cell.Ids[1], cell.Ids[2] } });
-    }
-    else if (type == VTK_LINE && this->Triangles.empty())
-    {
-      this->Lines.push_back({ { cell.Ids[0], cell.Ids[1] } });
-    }
-    else if (type == VTK_VERTEX && this->Lines.empty() && this->Triangles.empty())
-    {
-      this->Vertices.push_back(cell.Ids[0]);
-    }
-    else
+    const int last = std::exchange(dimension,
+      type == VTK_TRIANGLE   ? 2
+        : type == VTK_LINE   ? 1
+        : type == VTK_VERTEX ? 0
+                             : -1);
+    if (dimension < last)
     {
       this->HasOthers = true;
+      return;
     }
+    this->FirstLine += dimension < 1 ? 1 : 0;
+    this->FirstTriangle += dimension < 2 ? 1 : 0;
+    this->Cells.push_back({ { -1, -1, -1 } });
+    std::copy_n(cell.Ids, dimension + 1, this->Cells.back().begin());
   }
 }
 
-/// A cell whose edges are cut into thirds: the points, and the parts by their numbers there.
-struct LineInThirds
+/// A cell after two steps, and where its corners are in the cell that it is a part of, whose edges
+/// have three divisions.
+struct Part
 {
-  static constexpr int Parts = 3;
-  std::array<vtkIdType, 4> Points{}; ///< from end to end
-  std::array<vtkIdType, Parts> Children{};
+  vtkIdType Cell;
+  std::array<LatticePoint, 3> Corners;
 };
-struct TriangleInThirds
-{
-  static constexpr int Parts = 9;
-  static constexpr int Centre = 3;
-  /// The corners, the centre, and of each edge the two points that cut it.
-  std::array<vtkIdType, 10> Points{};
-  std::array<vtkIdType, Parts> Children{};
-
-  /// The point of the edge between two corners that is nearer to the first.
-  static int GetThird(int near, int far) { return 4 + 2 * near + (far == (near + 1) % 3 ? 0 : 1); }
-  static LatticePoint GetPlace(int point);
-};
-
-/// On the lattice of three divisions.
-LatticePoint TriangleInThirds::GetPlace(int point)
-{
-  constexpr std::array<LatticePoint, 3> corners{ { { { 0, 0, 0 } }, { { 1, 0, 0 } },
-    { { 0, 1, 0 } } } };
-  if (point == Centre)
-  {
-    return { { 1, 1, 0 } };
-  }
-  const int near = point < Centre ? point : (point - 4) / 2;
-  const int far = point < Centre ? point : (near + 1 + point % 2) % 3;
-  LatticePoint place{ { 0, 0, 0 } };
-  for (int x = 0; x < 2; ++x)
-  {
-    place[x] = 2 * corners[near][x] + corners[far][x];
-  }
-  return place;
-}
 
 /// How two steps of the sqrt(3) scheme split cells.
 class PairOfSteps
@@ -105,237 +85,248 @@ class PairOfSteps
 public:
   PairOfSteps(const SortedCells& before, const SortedCells& between, const SortedCells& after);
   bool IsKnown() const { return this->Known; }
-  const std::vector<LineInThirds>& GetLines() const { return this->Lines; }
-  const std::vector<TriangleInThirds>& GetTriangles() const { return this->Triangles; }
+  const std::vector<Part>& GetParts(vtkIdType cell) const { return this->Parts[cell]; }
 
 private:
-  static void FindLine(const Ends& line, const std::vector<Ends>& after, LineInThirds& found);
-  static void FindPoints(const std::vector<Triangle>& after, TriangleInThirds& found);
-  template <typename Cells>
-  static bool AreFound(const Cells& cells)
-  {
-    return std::all_of(cells.begin(), cells.end(), [](const auto& cell)
-      { return std::find(cell.Points.begin(), cell.Points.end(), -1) == cell.Points.end(); });
-  }
+  using Placed = std::vector<std::pair<vtkIdType, LatticePoint>>;
+  vtkIdType FindTriangle(vtkIdType child) const;
+  void PlaceOnLine(vtkIdType line, Placed& points) const;
+  void PlaceInTriangle(vtkIdType triangle, Placed& points) const;
+  int FindCorner(vtkIdType triangle, vtkIdType point) const;
+  bool PlaceParts(vtkIdType cell);
 
-  std::vector<LineInThirds> Lines;
-  std::vector<TriangleInThirds> Triangles;
+  const SortedCells& Before;
+  const SortedCells& Between;
+  const SortedCells& After;
+  std::vector<std::vector<Part>> Parts; ///< of each cell
   bool Known;
 };
 
+constexpr int PartsOf[3] = { 1, 3, 9 }; ///< by dimension
+constexpr LatticePoint CornerPlaces[3] = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } };
+
+/// The place that is twice as near to one corner as to another one.
+LatticePoint GetThird(int near, int far)
+{
+  return { { 2 * CornerPlaces[near][0] + CornerPlaces[far][0],
+    2 * CornerPlaces[near][1] + CornerPlaces[far][1], 0 } };
+}
+
+PairOfSteps::PairOfSteps(
+  const SortedCells& before, const SortedCells& between, const SortedCells& after)
+  : Before(before)
+  , Between(between)
+  , After(after)
+  , Parts(before.Cells.size())
+{
+  // The first step makes the centres of all triangles, and nothing else.
+  this->Known = !before.HasOthers && !between.HasOthers && !after.HasOthers &&
+    between.Points - before.Points == before.CountTriangles() &&
+    3 * between.CountTriangles() == after.CountTriangles() &&
+    after.CountTriangles() == 9 * before.CountTriangles() && after.FirstLine == before.FirstLine &&
+    after.CountLines() == 3 * before.CountLines();
+  for (const vtkIdType child : InTurn(this->Known ? after.GetNumberOfCells() : 0))
+  {
+    const int dimension = after.GetDimension(child);
+    const vtkIdType of = dimension == 0 ? child
+      : dimension == 1                  ? before.FirstLine + (child - after.FirstLine) / 3
+                                        : this->FindTriangle(child);
+    this->Known = of >= 0 && static_cast<int>(this->Parts[of].size()) < PartsOf[dimension];
+    if (!this->Known)
+    {
+      return;
+    }
+    this->Parts[of].push_back({ child, {} });
+  }
+  std::vector<char> isPlaced(this->Parts.size(), 0);
+  ForEach(before.GetNumberOfCells(),
+    [&](vtkIdType cell) { isPlaced[cell] = this->PlaceParts(cell) ? 1 : 0; });
+  this->Known = this->Known && std::find(isPlaced.begin(), isPlaced.end(), 0) == isPlaced.end();
+}
+
 /// In which triangle a part lies: in the triangle of its centre, or it is at a corner. Then it is
 /// the child across the edge of its parent between that corner and the centre.
-vtkIdType FindTriangle(
-  const SortedCells& before, const SortedCells& between, const SortedCells& after, vtkIdType child)
+vtkIdType PairOfSteps::FindTriangle(vtkIdType child) const
 {
-  const Triangle& part = after.Triangles[child];
-  const Triangle& parent = between.Triangles[child / 3];
+  const vtkIdType number = child - this->After.FirstTriangle;
+  const Corners& part = this->After.Cells[child];
+  const Corners& parent = this->Between.Cells[this->Between.FirstTriangle + number / 3];
   for (const vtkIdType point :
-    { part[0], part[1], part[2], parent[child % 3], parent[(child + 1) % 3] })
+    { part[0], part[1], part[2], parent[number % 3], parent[(number + 1) % 3] })
   {
-    if (point >= before.Points && point < between.Points)
+    if (point >= this->Before.Points && point < this->Between.Points)
     {
-      return point - before.Points;
+      return this->Before.FirstTriangle + point - this->Before.Points;
     }
   }
   return -1;
 }
 
-PairOfSteps::PairOfSteps(
-  const SortedCells& before, const SortedCells& between, const SortedCells& after)
-  : Lines(before.Lines.size())
-  , Triangles(before.Triangles.size())
+/// One part of a line is at each end.
+void PairOfSteps::PlaceOnLine(vtkIdType line, Placed& points) const
 {
-  // The first step makes the centres of all triangles, and nothing else.
-  this->Known = !before.HasOthers &&
-    between.Points - before.Points == static_cast<vtkIdType>(before.Triangles.size()) &&
-    3 * between.Triangles.size() == after.Triangles.size() &&
-    after.Triangles.size() == TriangleInThirds::Parts * before.Triangles.size() &&
-    after.Lines.size() == LineInThirds::Parts * before.Lines.size();
-  std::vector<int> counts(before.Triangles.size(), 0);
-  for (const std::size_t child : InTurn(this->Known ? after.Triangles.size() : 0))
-  {
-    const vtkIdType of = FindTriangle(before, between, after, static_cast<vtkIdType>(child));
-    if (of < 0 || counts[of] == TriangleInThirds::Parts)
-    {
-      this->Known = false;
-      break;
-    }
-    this->Triangles[of].Children[counts[of]++] = static_cast<vtkIdType>(child);
-  }
-  if (!this->Known)
-  {
-    return;
-  }
-  ForEach(static_cast<vtkIdType>(this->Lines.size()),
-    [&](vtkIdType i)
-    {
-      for (int part = 0; part < LineInThirds::Parts; ++part)
-      {
-        this->Lines[i].Children[part] = LineInThirds::Parts * i + part;
-      }
-      FindLine(before.Lines[i], after.Lines, this->Lines[i]);
-    });
-  ForEach(static_cast<vtkIdType>(this->Triangles.size()),
-    [&](vtkIdType i)
-    {
-      TriangleInThirds& found = this->Triangles[i];
-      found.Points.fill(-1);
-      std::copy(before.Triangles[i].begin(), before.Triangles[i].end(), found.Points.begin());
-      found.Points[TriangleInThirds::Centre] = before.Points + i;
-      FindPoints(after.Triangles, found);
-    });
-  this->Known = AreFound(this->Lines) && AreFound(this->Triangles);
-}
-
-/// One part of a line is at each end. Leaves points at -1 where that is not so.
-void PairOfSteps::FindLine(const Ends& line, const std::vector<Ends>& after, LineInThirds& found)
-{
-  found.Points = { { line[0], -1, -1, line[1] } };
   for (int end = 0; end < 2; ++end)
   {
-    for (const vtkIdType child : found.Children)
+    const vtkIdType at = this->Before.Cells[line][end];
+    points.push_back({ at, { { 3 * end, 0, 0 } } });
+    for (const Part& part : this->Parts[line])
     {
-      const Ends& part = after[child];
-      const auto at = std::find(part.begin(), part.end(), line[end]);
-      if (at != part.end())
+      const Corners& corners = this->After.Cells[part.Cell];
+      if (this->After.Has(part.Cell, at))
       {
-        found.Points[1 + end] = part[at == part.begin() ? 1 : 0];
+        points.push_back({ corners[corners[0] == at ? 1 : 0], { { 1 + end, 0, 0 } } });
       }
     }
   }
+}
+
+/// The corner of a triangle that has a part with a point; -1 if there is none.
+int PairOfSteps::FindCorner(vtkIdType triangle, vtkIdType point) const
+{
+  for (const Part& part : this->Parts[triangle])
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->After.Has(part.Cell, point) &&
+        this->After.Has(part.Cell, this->Before.Cells[triangle][k]))
+      {
+        return k;
+      }
+    }
+  }
+  return -1;
 }
 
 /// The part at a corner has the two points that are near it. Of the parts at the centre three join
-/// points that are near different corners, the points of one edge. Leaves points at -1 where that
-/// is not so.
-void PairOfSteps::FindPoints(const std::vector<Triangle>& after, TriangleInThirds& found)
+/// points that are near different corners, the points of one edge.
+void PairOfSteps::PlaceInTriangle(vtkIdType triangle, Placed& points) const
 {
-  const auto has = [](const Triangle& part, vtkIdType point)
-  { return std::find(part.begin(), part.end(), point) != part.end(); };
-  const auto findCorner = [&](vtkIdType point)
+  for (int k = 0; k < 3; ++k)
   {
-    for (const vtkIdType child : found.Children)
-    {
-      for (int k = 0; has(after[child], point) && k < 3; ++k)
-      {
-        if (has(after[child], found.Points[k]))
-        {
-          return k;
-        }
-      }
-    }
-    return -1;
-  };
-  const vtkIdType centre = found.Points[TriangleInThirds::Centre];
-  for (const vtkIdType child : found.Children)
+    points.push_back({ this->Before.Cells[triangle][k], GetThird(k, k) });
+  }
+  const vtkIdType centre = this->Before.Points + triangle - this->Before.FirstTriangle;
+  points.push_back({ centre, { { 1, 1, 0 } } });
+  for (const Part& part : this->Parts[triangle])
   {
-    const Triangle& part = after[child];
-    const auto at = std::find(part.begin(), part.end(), centre) - part.begin();
+    const Corners& corners = this->After.Cells[part.Cell];
+    const auto at = std::find(corners.begin(), corners.end(), centre) - corners.begin();
     if (at == 3)
     {
       continue;
     }
-    const Ends thirds{ { part[(at + 1) % 3], part[(at + 2) % 3] } };
-    const std::array<int, 2> near{ { findCorner(thirds[0]), findCorner(thirds[1]) } };
+    const vtkIdType thirds[2] = { corners[(at + 1) % 3], corners[(at + 2) % 3] };
+    const int near[2] = { this->FindCorner(triangle, thirds[0]),
+      this->FindCorner(triangle, thirds[1]) };
     for (int end = 0; end < 2 && near[0] >= 0 && near[1] >= 0 && near[0] != near[1]; ++end)
     {
-      found.Points[TriangleInThirds::GetThird(near[end], near[1 - end])] = thirds[end];
+      points.push_back({ thirds[end], GetThird(near[end], near[1 - end]) });
     }
   }
 }
 
-/// Finds the points of a line after two pairs of steps. `parts`: the lines between these.
-void ReadLine(const LineInThirds& line, const std::vector<Ends>& parts, const PairOfSteps& last,
-  vtkIdType* points)
+/// Finds where the parts of a cell are. Returns false where a corner of a part has no place.
+bool PairOfSteps::PlaceParts(vtkIdType cell)
 {
-  const Lattice& lattice = Lattice::Get(Lattice::CurveInThirds);
-  for (int part = 0; part < LineInThirds::Parts; ++part)
+  const int dimension = this->Before.GetDimension(cell);
+  Placed points;
+  if (dimension == 0)
   {
-    for (const vtkIdType child : line.Children)
+    points.push_back({ this->Before.Cells[cell][0], {} });
+  }
+  else if (dimension == 1)
+  {
+    this->PlaceOnLine(cell, points);
+  }
+  else
+  {
+    this->PlaceInTriangle(cell, points);
+  }
+  for (Part& part : this->Parts[cell])
+  {
+    for (int k = 0; k <= dimension; ++k)
     {
-      const Ends ends{ { line.Points[part], line.Points[part + 1] } };
-      const bool isSame = parts[child] == ends;
-      for (int i = 0; i < 4 && (isSame || parts[child] == Ends{ { ends[1], ends[0] } }); ++i)
+      const auto at = std::find_if(points.begin(), points.end(),
+        [&](const auto& placed) { return placed.first == this->After.Cells[part.Cell][k]; });
+      if (at == points.end())
       {
-        points[lattice.Find({ { 3 * part + (isSame ? i : 3 - i), 0, 0 } })] =
-          last.GetLines()[child].Points[i];
+        return false;
       }
+      part.Corners[k] = at->second;
     }
   }
+  return true;
 }
 
-/// The same of a triangle.
-void ReadTriangle(const TriangleInThirds& triangle, const std::vector<Triangle>& parts,
-  const PairOfSteps& last, vtkIdType* points)
+/// The points of all cells after two pairs of steps, each in the order of its lattice; -1 where a
+/// place has no point.
+Buffer<vtkIdType> ReadPoints(const std::vector<int>& kinds, const PairOfSteps& first,
+  const PairOfSteps& second, const SortedCells& last)
 {
-  const Lattice& lattice = Lattice::Get(Lattice::TriangleInThirds);
-  for (const vtkIdType child : triangle.Children)
+  std::vector<vtkIdType> starts = { 0 };
+  for (const int kind : InTurn(kinds))
   {
-    std::array<LatticePoint, 3> corners{};
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto at = std::find(triangle.Points.begin(), triangle.Points.end(), parts[child][k]);
-      if (at == triangle.Points.end())
-      {
-        return;
-      }
-      corners[k] = TriangleInThirds::GetPlace(static_cast<int>(at - triangle.Points.begin()));
-    }
-    const TriangleInThirds& part = last.GetTriangles()[child];
-    for (int i = 0; i < static_cast<int>(part.Points.size()); ++i)
-    {
-      const LatticePoint in = TriangleInThirds::GetPlace(i);
-      LatticePoint place{ { 0, 0, 0 } };
-      for (int x = 0; x < 2; ++x)
-      {
-        place[x] =
-          (3 - in[0] - in[1]) * corners[0][x] + in[0] * corners[1][x] + in[1] * corners[2][x];
-      }
-      points[lattice.Find(place)] = part.Points[i];
-    }
+    starts.push_back(starts.back() + Lattice::Get(kind).CountPoints());
   }
+  Buffer<vtkIdType> points(starts.back(), -1);
+  ForEach(static_cast<vtkIdType>(kinds.size()),
+    [&](vtkIdType cell)
+    {
+      const Lattice& lattice = Lattice::Get(kinds[cell]);
+      for (const Part& part : first.GetParts(cell))
+      {
+        for (const Part& piece : second.GetParts(part.Cell))
+        {
+          for (int k = 0; k < lattice.Corners; ++k)
+          {
+            LatticePoint place{ { 0, 0, 0 } };
+            const LatticePoint& in = piece.Corners[k];
+            for (int x = 0; x < lattice.Dimension; ++x)
+            {
+              place[x] = (3 - in[0] - in[1]) * part.Corners[0][x] + in[0] * part.Corners[1][x] +
+                in[1] * part.Corners[2][x];
+            }
+            points[starts[cell] + lattice.Find(place)] = last.Cells[piece.Cell][k];
+          }
+        }
+      }
+    });
+  return points;
 }
 
 }
 
-NestedPieces ReadThirds(const FourSqrtThreeSteps& meshes)
+std::unique_ptr<NestedPieces> ReadThirds(
+  const std::function<vtkSmartPointer<vtkPointSet>(int steps)>& getMesh)
 {
-  const SortedCells given(meshes[0]);
-  const SortedCells one(meshes[1]);
-  const SortedCells two(meshes[2]);
-  const SortedCells three(meshes[3]);
-  const SortedCells four(meshes[4]);
-  const PairOfSteps first(given, one, two);
-  const PairOfSteps second(two, three, four);
-  const std::array<vtkIdType, PieceLattice::Steps + 1> counts{ { given.Points, given.Points,
-    two.Points, four.Points } };
-  if (!first.IsKnown() || !second.IsKnown())
+  std::vector<SortedCells> cells;
+  for (int steps = 0; steps <= 4; ++steps)
   {
-    return NestedPieces({}, {}, counts);
+    const auto mesh = getMesh(steps);
+    if (!mesh)
+    {
+      return nullptr;
+    }
+    cells.emplace_back(mesh);
   }
-  const auto vertices = static_cast<vtkIdType>(given.Vertices.size());
-  const auto lines = static_cast<vtkIdType>(given.Lines.size());
-  const auto triangles = static_cast<vtkIdType>(given.Triangles.size());
-  std::vector<signed char> kinds(given.Vertices.size(), -1);
-  kinds.resize(kinds.size() + given.Lines.size(), Lattice::CurveInThirds);
-  kinds.resize(kinds.size() + given.Triangles.size(), Lattice::TriangleInThirds);
-  const auto ofLine = static_cast<vtkIdType>(Lattice::Get(Lattice::CurveInThirds).Places.size());
-  const auto ofTriangle =
-    static_cast<vtkIdType>(Lattice::Get(Lattice::TriangleInThirds).Places.size());
-  Buffer<vtkIdType> points(vertices + ofLine * lines + ofTriangle * triangles, -1);
-  CopyInThreads(given.Vertices.data(), vertices, points.data());
-  vtkIdType* to = points.data() + vertices;
-  ForEach(
-    lines, [&](vtkIdType i) { ReadLine(first.GetLines()[i], two.Lines, second, to + ofLine * i); });
-  to += ofLine * lines;
-  ForEach(triangles, [&](vtkIdType i)
-    { ReadTriangle(first.GetTriangles()[i], two.Triangles, second, to + ofTriangle * i); });
-  if (std::find(points.data(), points.data() + points.size(), -1) != points.data() + points.size())
+  const PairOfSteps first(cells[0], cells[1], cells[2]);
+  const PairOfSteps second(cells[2], cells[3], cells[4]);
+  const std::array<vtkIdType, Lattice::Steps + 1> counts{ { cells[0].Points, cells[0].Points,
+    cells[2].Points, cells[4].Points } };
+  std::vector<int> kinds;
+  Buffer<vtkIdType> points;
+  if (first.IsKnown() && second.IsKnown())
   {
-    return NestedPieces({}, {}, counts);
+    kinds.resize(static_cast<std::size_t>(cells[0].FirstLine), -1);
+    kinds.resize(static_cast<std::size_t>(cells[0].FirstTriangle), Lattice::CurveInThirds);
+    kinds.resize(cells[0].Cells.size(), Lattice::TriangleInThirds);
+    points = ReadPoints(kinds, first, second, cells[4]);
   }
-  return NestedPieces(std::move(kinds), std::move(points), counts);
+  if (std::find(points.begin(), points.end(), -1) != points.end())
+  {
+    kinds.clear();
+  }
+  return std::make_unique<NestedPieces>(kinds, std::move(points), counts);
 }
 
 }

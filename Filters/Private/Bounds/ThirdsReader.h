@@ -14,19 +14,20 @@
 
 #include "vtkSmartPointer.h"
 
-#include <array>
+#include <functional>
+#include <memory>
 
 class vtkPointSet;
 
 namespace subdivision
 {
 
-/// A mesh, and the same after one to four steps.
-using FourSqrtThreeSteps = std::array<vtkSmartPointer<vtkPointSet>, 5>;
-
-/// The pieces have no cells where it is not known how they are split: at fixed edges that the first
-/// step cuts, and where a mesh has other cells than triangles, lines of one piece and vertices.
-NestedPieces ReadThirds(const FourSqrtThreeSteps& meshes);
+/// `getMesh` returns the mesh after none to four steps, or null after an error or a stop; then
+/// there are no pieces. The pieces have no cells where it is not known how they are split: at fixed
+/// edges that the first step cuts, and where a mesh has other cells than triangles, lines of one
+/// piece and vertices.
+std::unique_ptr<NestedPieces> ReadThirds(
+  const std::function<vtkSmartPointer<vtkPointSet>(int steps)>& getMesh);
 
 }
 

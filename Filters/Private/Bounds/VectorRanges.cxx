@@ -12,13 +12,6 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-void ClearRange(int components, double* range)
-{
-  std::fill_n(range, components, Infinity);
-  std::fill_n(range + components, components, -Infinity);
-  range[2 * components] = 0.;
-}
-
 }
 
 void ExtendLongRange(int components, const double* by, double* range)
@@ -48,33 +41,20 @@ double GetNorm(const double* vector, int components)
   return std::sqrt(squares);
 }
 
-VectorRange::VectorRange(int components)
-  : Components(components)
-  , Values(2 * static_cast<std::size_t>(components) + 1)
-{
-}
-
-void VectorRange::Clear()
-{
-  ClearRange(this->Components, this->Values.data());
-}
-
-void VectorRange::AddZero()
-{
-  for (int c = 0; c < this->Components; ++c)
-  {
-    this->Values[c] = std::min(0., this->Values[c]);
-    this->Values[this->Components + c] = std::max(0., this->Values[this->Components + c]);
-  }
-}
-
 VectorRanges::VectorRanges(vtkIdType items, int components)
   : Components(components)
   , Stride(2 * components + 1)
   , Values(Stride * items)
 {
-  ForEach(items,
-    [this](vtkIdType i) { ClearRange(this->Components, this->Values.data() + this->Stride * i); });
+  ForEach(items, [this](vtkIdType i) { this->Clear(i); });
+}
+
+void VectorRanges::Clear(vtkIdType item)
+{
+  double* range = this->Values.data() + this->Stride * item;
+  std::fill_n(range, this->Components, Infinity);
+  std::fill_n(range + this->Components, this->Components, -Infinity);
+  range[2 * this->Components] = 0.;
 }
 
 void VectorRanges::Add(vtkIdType item, const double* vector)

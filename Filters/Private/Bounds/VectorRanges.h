@@ -45,29 +45,13 @@ inline void ExtendRange(int components, const double* by, double* range)
   }
 }
 
-/// The least and the largest components of some vectors, and their largest norm.
-class VectorRange
-{
-public:
-  explicit VectorRange(int components);
-  void Clear();
-  /// Adds a range as VectorRanges has it.
-  void Add(const double* range) { ExtendRange(this->Components, range, this->Values.data()); }
-  void AddZero();
-  double GetLeast(int component) const { return this->Values[component]; }
-  double GetLargest(int component) const { return this->Values[this->Components + component]; }
-  double GetNorm() const { return this->Values[2 * this->Components]; }
-
-private:
-  int Components;
-  std::vector<double> Values;
-};
-
-/// A range for each of many items.
+/// A range for each of many items: the least and the largest components of some vectors, and their
+/// largest norm.
 class VectorRanges
 {
 public:
   VectorRanges(vtkIdType items, int components);
+  void Clear(vtkIdType item);
   void Add(vtkIdType item, const double* vector);
   /// Adds another range of as many components.
   void Extend(vtkIdType item, const double* range)

@@ -124,7 +124,7 @@ std::vector<vtkIdType> FindInvertedTets(const SimplexList& simplices, const Coor
     return found;
   }
   const vtkIdType size = simplices.GetNumberOfSimplices();
-  const SimplexStarts firsts(simplices, [](int dimension) { return dimension + 1; });
+  const SimplexStarts firsts = FindCorners(SimplexView(simplices));
   Buffer<signed char> orientations(size, 1);
   ForEach(size,
     [&](vtkIdType i)

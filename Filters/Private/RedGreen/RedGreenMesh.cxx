@@ -236,8 +236,7 @@ bool IsWhatWasRead(const SimplexView& read, const RedGreenMesh& mesh)
   const RedGreenOutput<Id> output(state);
   const CellCounts counts = output.GetCounts();
   if (state.GetNumberOfVertices() != read.NumberOfPoints ||
-    counts.Cells != read.NumberOfSimplices ||
-    counts.Entries != SimplexPlaces(read)[read.NumberOfSimplices])
+    counts.Cells != read.NumberOfSimplices || counts.Entries != FindCorners(read).GetLength())
   {
     return false;
   }

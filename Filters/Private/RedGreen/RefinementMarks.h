@@ -36,7 +36,7 @@ public:
     : Mesh(mesh)
     , State(state)
     , View(mesh.GetView())
-    , Places(this->View)
+    , Places(FindCorners(this->View))
   {
   }
   bool IsInput() const { return true; }
@@ -75,7 +75,7 @@ private:
   const RedGreenMesh& Mesh;
   const RedGreen<Id>& State;
   const SimplexView View;
-  const SimplexPlaces Places;
+  const SimplexStarts Places;
 };
 
 /// The cells that the last round changed, but for those that cannot be refined further.

@@ -14,7 +14,7 @@ namespace subdivision
 std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& partners)
 {
   const SimplexView view = mesh.GetView();
-  const SimplexPlaces places(view);
+  const SimplexStarts places = FindCorners(view);
   const vtkIdType size = view.NumberOfSimplices;
   const auto points = [&](vtkIdType i)
   { return Row<vtkIdType>{ view.Connectivity + places[i], view.Connectivity + places[i + 1] }; };

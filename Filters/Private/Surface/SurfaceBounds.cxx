@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Surface/SurfaceBounds.h"
 
-#include "Private/Bounds/DeeperThirds.h"
 #include "Private/Bounds/ErrorBounds.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"

@@ -36,7 +36,7 @@ TEST(SimplexStarts, AreRunningSums)
       {
         const SimplexList list = MakeList(size, first, dimensions);
         const auto each = [](int dimension) { return vtkIdType(1) << (2 * dimension); };
-        const SimplexStarts places(list, each);
+        const SimplexStarts places(SimplexView(list), each);
         std::array<vtkIdType, 4> counts = {};
         vtkIdType sum = 0;
         for (vtkIdType i = 0; i < size; ++i)
@@ -52,5 +52,23 @@ TEST(SimplexStarts, AreRunningSums)
         ASSERT_EQ(CountDimensions(list), counts);
       }
     }
+  }
+}
+
+/// Behind the cells of a view its arrays may go on.
+TEST(SimplexStarts, AreOfTheCellsOfAView)
+{
+  SimplexList list;
+  for (int i = 0; i < 100; ++i)
+  {
+    list.Dimensions.push_back(i % 2 ? 3 : 1);
+  }
+  SimplexView some(list);
+  some.NumberOfSimplices = 90;
+  const SimplexStarts places = FindCorners(some);
+  EXPECT_EQ(places.GetNumberOfSimplices(), 90);
+  for (int i = 0; i <= 90; ++i)
+  {
+    EXPECT_EQ(places[i], 3 * i - i % 2) << i;
   }
 }

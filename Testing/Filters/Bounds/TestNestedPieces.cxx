@@ -107,7 +107,7 @@ TEST(PieceLattice, OfAQuarterHasNeighboursInOthers)
     const PieceLattice& lattice = PieceLattice::Get(PieceLattice::FirstQuarter + quarter);
     int inside = 0;
     int others = 0;
-    for (int point = 0; point < static_cast<int>(lattice.Places.size()); ++point)
+    for (int point = 0; point < lattice.CountPoints(); ++point)
     {
       const auto place = lattice.GetPlaceInSolid(point);
       if (std::abs(place[0]) + std::abs(place[1]) + std::abs(place[2]) < PieceLattice::Divisions)

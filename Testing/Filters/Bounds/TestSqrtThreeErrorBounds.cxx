@@ -7,8 +7,8 @@
 #include "BoundTools.h"
 #include "RandomSurfaces.h"
 
-#include "Private/Bounds/DeeperThirds.h"
 #include "Private/Bounds/Deviations.h"
+#include "Private/Bounds/PartsAsCells.h"
 #include "Private/Bounds/Sectors.h"
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
@@ -22,8 +22,8 @@ using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::ApplyFactors;
 using subdivision::Buffer;
-using subdivision::DeeperThirds;
 using subdivision::NestedPieces;
+using subdivision::PartsAsCells;
 using subdivision::Sectors;
 
 namespace
@@ -50,12 +50,8 @@ vtkSmartPointer<vtkPolyData> Make(
 
 NestedPieces ReadPieces(vtkUnstructuredGrid* input, int levels, const Surfaces& configure)
 {
-  subdivision::FourSqrtThreeSteps meshes;
-  for (std::size_t step = 0; step < meshes.size(); ++step)
-  {
-    meshes[step] = Make(input, levels + static_cast<int>(step), false, configure);
-  }
-  return subdivision::ReadThirds(meshes);
+  return std::move(*subdivision::ReadThirds(
+    [&](int steps) { return Make(input, levels + steps, false, configure); }));
 }
 
 /// The factors of the operator of so many levels that come after the one with so many rows.
@@ -313,9 +309,10 @@ vtkIdType CompareParts(vtkUnstructuredGrid* input, const Surfaces& configure)
     }
   }
   vtkIdType compared = 0;
-  const auto compare = [&](const DeeperThirds::Part& part)
+  const auto compare = [&](const PartsAsCells::Part& part)
   {
-    const auto deeper = DeeperThirds::Make({ pieces, sectors, last.Get() }, { part }, SplitPatch);
+    const auto deeper =
+      subdivision::SplitIntoThirds({ pieces, sectors, last.Get() }, { part }, SplitPatch);
     ASSERT_NE(deeper, nullptr);
     const auto made = deeper->Get();
     const vtkIdType wanted = deeper->GetWanted()[0];
@@ -435,7 +432,7 @@ TEST(SqrtThreeErrorBounds, HoldForOneValueAfterTheLastStep)
   EXPECT_GT(small, 100);
 }
 
-TEST(DeeperThirds, AreThoseOfAMeshThatIsSplitFurther)
+TEST(PartsInThirds, AreThoseOfAMeshThatIsSplitFurther)
 {
   EXPECT_EQ(CompareParts(MakeCreased(2), {}), 18 * 9 * 55 + 3 * 3 * 10);
   // Edges and vertices that have no cell of their own.

@@ -142,7 +142,7 @@ template <typename Id>
 void ComplexBuilder<Id>::GatherCells()
 {
   const std::array<vtkIdType, 4> counts = CountDimensions(this->Simplices);
-  const SimplexStarts entries(this->Simplices, [](int dimension) { return dimension + 1; });
+  const SimplexStarts entries = FindCorners(SimplexView(this->Simplices));
   for (int dimension = 0; dimension < 4; ++dimension)
   {
     this->Cells[dimension].Count = counts[dimension];

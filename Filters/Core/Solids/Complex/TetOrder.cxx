@@ -109,7 +109,7 @@ void OrderTets(SimplexList& simplices, const Coordinates& points, const vtkIdTyp
   {
     return;
   }
-  const SimplexStarts entries(simplices, [](int dimension) { return dimension + 1; });
+  const SimplexStarts entries = FindCorners(SimplexView(simplices));
   ForEach(simplices.GetNumberOfSimplices(),
     [&](vtkIdType i)
     {

@@ -32,7 +32,7 @@ bool IsEdgeOfChildren(int k, int l)
 template <typename Id>
 RedGreen<Id>::RedGreen(const SimplexView& cells, std::function<void(vtkIdType*)> orderTet)
   : Input(cells)
-  , Places(cells)
+  , Places(FindCorners(cells))
   , OrderTet(std::move(orderTet))
   , InputVertices(static_cast<Id>(cells.NumberOfPoints))
   , OutputCells(cells.NumberOfSimplices)

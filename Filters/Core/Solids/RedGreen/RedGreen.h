@@ -29,16 +29,17 @@
  * not depend on the number of threads.
  *
  * Memory (Id int): 1 byte per input point, 4 per input cell of each page of 4096 where one is
- * stored; 84 bytes per stored cell, 24 per edge of these that is looked up, 24 to 96 for its entry
- * in the index, 4 per new vertex. In all 200 to 300 bytes per stored cell, or some 50 per cell of
- * an output that is refined all over. Lists grow by doubling. Id int is enough for 300 million
- * stored cells.
+ * stored, 8 per input cell if cells have several dimensions; 84 bytes per stored cell, 24 per edge
+ * of these that is looked up, 24 to 96 for its entry in the index, 4 per new vertex. In all 200 to
+ * 300 bytes per stored cell, or some 50 per cell of an output that is refined all over. Lists grow
+ * by doubling. Id int is enough for 300 million stored cells.
  */
 #ifndef SubdivisionObjects_RedGreen_h
 #define SubdivisionObjects_RedGreen_h
 
 #include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/PairTable.h"
+#include "Core/Memory/SimplexStarts.h"
 #include "Core/Memory/SparseIds.h"
 #include "Core/Solids/RedGreen/RedGreenCells.h"
 
@@ -242,7 +243,7 @@ private:
   void BuildIncidence();
 
   SimplexView Input;
-  SimplexPlaces Places;
+  SimplexStarts Places; ///< of the input cells in the connectivity
   std::function<void(vtkIdType*)> OrderTet;
   const CellScope* Scopes = nullptr; ///< of the input cells; null: all are Own
   Id InputVertices = 0;

@@ -219,7 +219,7 @@ private:
 template <typename Id>
 std::vector<Id> RedGreen<Id>::ScanCells()
 {
-  constexpr vtkIdType blockSize = 64 * SimplexPlaces::SimplicesPerBlock;
+  constexpr vtkIdType blockSize = 4096;
   const vtkIdType size = this->Input.NumberOfSimplices;
   const RangeCounts<Id> news(this->NewFlags, this->InputVertices);
   const bool isFirst = this->BlockRanges.empty();

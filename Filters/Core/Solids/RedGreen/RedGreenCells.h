@@ -1,84 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RedGreenCells.h
- * Types of red-green refinement: leaves, cells of the forest, output cells, origins of vertices,
- * and positions in the connectivity of cells of mixed dimension.
+ * Types of red-green refinement: leaves, cells of the forest, output cells, and origins of
+ * vertices.
  */
 #ifndef SubdivisionObjects_RedGreenCells_h
 #define SubdivisionObjects_RedGreenCells_h
 
-#include "Core/Memory/Buffer.h"
 #include "Core/Memory/SimplexList.h"
 
 #include <array>
-#include <cstring>
 
 namespace subdivision
 {
 
 /// The largest level: levels are stored in one byte.
 constexpr int LastLevel = 255;
-
-/// The positions in the connectivity where simplices start. They are stored for each block of
-/// simplices only; if all simplices have one dimension none is stored.
-class SimplexPlaces
-{
-public:
-  static constexpr vtkIdType SimplicesPerBlock = 64;
-
-  SimplexPlaces() = default;
-  explicit SimplexPlaces(const SimplexView& cells)
-    : Dimensions(cells.Dimensions)
-    , Corners(FindCorners(cells))
-  {
-    if (this->Corners > 0)
-    {
-      return;
-    }
-    this->Starts =
-      Buffer<vtkIdType>((cells.NumberOfSimplices + SimplicesPerBlock - 1) / SimplicesPerBlock + 1);
-    ForEach(this->Starts.size() - 1,
-      [&](vtkIdType block)
-      {
-        const vtkIdType first = block * SimplicesPerBlock;
-        this->Starts[block] =
-          this->Sum(first, std::min(cells.NumberOfSimplices, first + SimplicesPerBlock));
-      });
-    CountsToOffsets(this->Starts);
-  }
-  vtkIdType operator[](vtkIdType simplex) const
-  {
-    if (this->Corners > 0)
-    {
-      return simplex * this->Corners;
-    }
-    const vtkIdType block = simplex / SimplicesPerBlock;
-    return this->Starts[block] + this->Sum(block * SimplicesPerBlock, simplex);
-  }
-
-private:
-  vtkIdType Sum(vtkIdType begin, vtkIdType end) const
-  {
-    int entries = 0;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      entries += this->Dimensions[i] + 1;
-    }
-    return entries;
-  }
-  /// How many corners each simplex has; 0 where they differ.
-  static vtkIdType FindCorners(const SimplexView& cells)
-  {
-    const vtkIdType size = cells.NumberOfSimplices;
-    const unsigned char* first = cells.Dimensions;
-    const bool same =
-      size > 0 && std::memcmp(first + 1, first, static_cast<std::size_t>(size - 1)) == 0;
-    return same ? *first + 1 : 0;
-  }
-  const unsigned char* Dimensions = nullptr;
-  vtkIdType Corners = 0;
-  Buffer<vtkIdType> Starts;
-};
 
 /// How a cell of the output came into being; the values of the cell array `RefinementKind`.
 enum class RefinementKind : unsigned char

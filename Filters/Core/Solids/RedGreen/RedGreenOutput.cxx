@@ -211,7 +211,7 @@ void RedGreenOutput<Id>::Write(const RedGreenStorage<Out>& out) const
 {
   const SimplexView& input = this->State.Input;
   ForEach(this->Leaves.size(), [&](vtkIdType i) { this->WriteLeaf(this->Leaves[i], out); });
-  constexpr vtkIdType blockSize = 64 * SimplexPlaces::SimplicesPerBlock;
+  constexpr vtkIdType blockSize = 4096;
   const auto copyBlocks = [&](vtkIdType begin, vtkIdType end)
   {
     begin *= blockSize;

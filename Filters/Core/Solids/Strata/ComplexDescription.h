@@ -38,11 +38,6 @@ struct ComplexDescription
   Buffer<SimplexFacts> Facts[3];
   vtkIdType Counts[4] = { 0, 0, 0, 0 };     ///< simplices by dimension
   vtkIdType Components[4] = { 0, 0, 0, 0 }; ///< connected components of C_0 to C_3
-
-  vtkIdType GetEulerCharacteristic() const
-  {
-    return this->Counts[0] - this->Counts[1] + this->Counts[2] - this->Counts[3];
-  }
 };
 
 /// `strata` belong to the complex; their rings are not read.

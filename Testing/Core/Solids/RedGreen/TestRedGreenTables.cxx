@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 #include <vector>
 
@@ -315,44 +314,4 @@ TEST(RedGreenCells, NumbersOfKindsAndScopes)
   EXPECT_EQ(static_cast<int>(CellScope::Ignored), 0);
   EXPECT_EQ(static_cast<int>(CellScope::Copied), 1);
   EXPECT_EQ(static_cast<int>(CellScope::Own), 2);
-}
-
-TEST(RedGreenCells, PlacesOfSimplices)
-{
-  std::mt19937 random(3);
-  for (const int size : { 0, 1, 2, 63, 64, 65, 128, 129, 500 })
-  {
-    for (const int kind : { 0, 1, 2, 3, 4, 5 }) // all of one dimension, mixed, the last one differs
-    {
-      SimplexList list;
-      std::vector<vtkIdType> starts{ 0 };
-      for (int i = 0; i < size; ++i)
-      {
-        const int dimension = kind < 4 ? kind
-          : kind == 4                  ? static_cast<int>(random() % 4)
-                                       : (i + 1 == size ? 1 : 3);
-        list.Dimensions.push_back(static_cast<unsigned char>(dimension));
-        starts.push_back(starts.back() + dimension + 1);
-      }
-      const SimplexPlaces places{ SimplexView(list) };
-      for (int i = 0; i <= size && size > 0; ++i)
-      {
-        ASSERT_EQ(places[i], starts[static_cast<std::size_t>(i)]) << size << " " << kind;
-      }
-    }
-  }
-  EXPECT_EQ(SimplexPlaces::SimplicesPerBlock, 64);
-  // Dimensions in turn. Behind the cells the array goes on.
-  SimplexList list;
-  for (int i = 0; i < 100; ++i)
-  {
-    list.Dimensions.push_back(i % 2 ? 3 : 1);
-  }
-  SimplexView some(list);
-  some.NumberOfSimplices = 90;
-  const SimplexPlaces places(some);
-  for (int i = 0; i <= 90; ++i)
-  {
-    EXPECT_EQ(places[i], 3 * i - i % 2) << i;
-  }
 }

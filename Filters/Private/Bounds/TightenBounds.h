@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file DeeperBounds.h
+ * @file TightenBounds.h
  * Makes bounds smaller by further steps, where they are not near the truth.
  */
-#ifndef SubdivisionObjects_DeeperBounds_h
-#define SubdivisionObjects_DeeperBounds_h
+#ifndef SubdivisionObjects_TightenBounds_h
+#define SubdivisionObjects_TightenBounds_h
 
-#include "Private/Bounds/DeeperCells.h"
 #include "Private/Bounds/Deviations.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include <vector>
 

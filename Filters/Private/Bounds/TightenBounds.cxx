@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Bounds/DeeperBounds.h"
+#include "Private/Bounds/TightenBounds.h"
 
 #include "Core/Memory/UnevenRanges.h"
 #include "Private/Bounds/StepFactors.h"
@@ -15,7 +15,7 @@ namespace subdivision
 namespace
 {
 
-using Part = DeeperCells::Part;
+using Part = PartsAsCells::Part;
 
 int CountFurtherSteps(const NestedPieces& pieces, vtkIdType cell)
 {
@@ -129,7 +129,7 @@ bool Tightener::Look(
     {
       ++end;
     }
-    const std::unique_ptr<DeeperCells> deeper = this->Split(pieces,
+    const std::unique_ptr<PartsAsCells> deeper = this->Split(pieces,
       { parts.Wanted.begin() + static_cast<std::ptrdiff_t>(begin),
         parts.Wanted.begin() + static_cast<std::ptrdiff_t>(end) });
     if (!deeper)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file TestDeeperPieces.cxx
+ * @file TestPartsInHalves.cxx
  * Parts of cells one step deeper are those of a mesh that is split once more.
  */
 #include "BezierTools.h"
 #include "BoundTools.h"
 
-#include "Private/Bounds/DeeperPieces.h"
 #include "Private/Bounds/Deviations.h"
+#include "Private/Bounds/PartsAsCells.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,8 +17,8 @@
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::Buffer;
-using subdivision::DeeperPieces;
 using subdivision::NestedPieces;
+using subdivision::PartsAsCells;
 using subdivision::PieceLattice;
 using subdivision::Sectors;
 
@@ -112,7 +112,7 @@ vtkIdType Compare(vtkDataObject* input, int first, bool isAlone,
   const NestedPieces expected = levels.MakePieces(1);
   const Sectors sectors(pieces, levels.GetStep());
   const Buffer<double> finest = levels.GetValues(NestedPieces::Steps + 1);
-  std::vector<DeeperPieces::Part> parts;
+  std::vector<PartsAsCells::Part> parts;
   for (vtkIdType c = 0; c < pieces.GetNumberOfCells(); ++c)
   {
     for (int child = 0; child < static_cast<int>(pieces.GetLattice(c).Children.size()); ++child)
@@ -122,11 +122,11 @@ vtkIdType Compare(vtkDataObject* input, int first, bool isAlone,
   }
   EXPECT_EQ(static_cast<vtkIdType>(parts.size()), expected.GetNumberOfCells());
   vtkIdType compared = 0;
-  const auto compare = [&](const std::vector<DeeperPieces::Part>& wanted, vtkIdType cell)
+  const auto compare = [&](const std::vector<PartsAsCells::Part>& wanted, vtkIdType cell)
   {
-    const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, wanted);
-    const auto made = deeper.Get();
-    const Buffer<double> second = deeper.Take(2, levels.GetValues(NestedPieces::Steps), 2);
+    const auto deeper = subdivision::SplitIntoHalves({ pieces, sectors, levels.GetStep() }, wanted);
+    const auto made = deeper->Get();
+    const Buffer<double> second = deeper->Take(2, levels.GetValues(NestedPieces::Steps), 2);
     Buffer<double> third(2 * made.Pieces.GetNumberOfPoints(NestedPieces::Steps));
     made.Last[0]->Apply(second.data(), third.data(), 2);
     for (std::size_t c = 0; c < wanted.size(); ++c)
@@ -161,7 +161,7 @@ vtkIdType Compare(vtkDataObject* input, int first, bool isAlone,
 
 }
 
-TEST(DeeperPieces, AreThoseOfAMeshThatIsSplitOnceMore)
+TEST(PartsInHalves, AreThoseOfAMeshThatIsSplitOnceMore)
 {
   vtkIdType compared = 0;
   for (unsigned seed = 1; seed < 25; ++seed)
@@ -181,7 +181,7 @@ TEST(DeeperPieces, AreThoseOfAMeshThatIsSplitOnceMore)
   EXPECT_GT(compared, 100000);
 }
 
-TEST(DeeperPieces, OfQuads)
+TEST(PartsInHalves, OfQuads)
 {
   for (const bool isAlone : { false, true })
   {
@@ -208,7 +208,7 @@ void SetTetOct(Filter* filter)
 
 /// The same with octahedra, which the next mesh has around other diagonals: new points are known by
 /// those in whose middle they are. Returns how many were found.
-vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPieces::Part>& wanted)
+vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<PartsAsCells::Part>& wanted)
 {
   const NestedPieces pieces = levels.MakePieces(0);
   const NestedPieces expected = levels.MakePieces(1);
@@ -220,16 +220,16 @@ vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPi
     const vtkIdType* parents = expected.GetParents(3, i);
     middles[{ parents[0], parents[1] }] = i;
   }
-  const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, wanted);
-  const auto made = deeper.Get();
-  const Buffer<double> second = deeper.Take(2, levels.GetValues(NestedPieces::Steps), 2);
+  const auto deeper = subdivision::SplitIntoHalves({ pieces, sectors, levels.GetStep() }, wanted);
+  const auto made = deeper->Get();
+  const Buffer<double> second = deeper->Take(2, levels.GetValues(NestedPieces::Steps), 2);
   Buffer<double> third(2 * made.Pieces.GetNumberOfPoints(NestedPieces::Steps));
   made.Last[0]->Apply(second.data(), third.data(), 2);
   Buffer<double> ids(pieces.GetNumberOfPoints(NestedPieces::Steps));
   std::iota(ids.begin(), ids.end(), 0.);
-  const Buffer<double> olds = deeper.Take(2, ids, 1);
+  const Buffer<double> olds = deeper->Take(2, ids, 1);
   vtkIdType found = 0;
-  for (const vtkIdType cell : deeper.GetWanted())
+  for (const vtkIdType cell : deeper->GetWanted())
   {
     const vtkIdType first = made.Pieces.GetFirstPlace(cell);
     for (vtkIdType place = first; place < made.Pieces.GetFirstPlace(cell + 1); ++place)
@@ -264,7 +264,7 @@ vtkIdType CompareTetOct(const Levels<Filter>& levels, const std::vector<DeeperPi
 
 }
 
-TEST(DeeperPieces, OfTetrahedraAndOctahedra)
+TEST(PartsInHalves, OfTetrahedraAndOctahedra)
 {
   vtkIdType found = 0;
   for (const unsigned seed : { 4, 8, 12, 16, 5, 6 })
@@ -278,7 +278,7 @@ TEST(DeeperPieces, OfTetrahedraAndOctahedra)
                           : MakeRandomComplex(seed)),
       first, SetTetOct, true);
     const NestedPieces pieces = levels.MakePieces(0);
-    std::vector<DeeperPieces::Part> parts;
+    std::vector<PartsAsCells::Part> parts;
     for (vtkIdType c = 0; c < pieces.GetNumberOfCells(); ++c)
     {
       for (int child = 0; child < static_cast<int>(pieces.GetLattice(c).Children.size()); ++child)
@@ -380,7 +380,7 @@ TEST(FindBounds, OneCellHasTheBoundThatItHasAmongAll)
   }
 }
 
-TEST(DeeperPieces, HaveWhatMeetsThem)
+TEST(PartsInHalves, HaveWhatMeetsThem)
 {
   // Two triangles with a common edge.
   const Grid grid =
@@ -389,10 +389,11 @@ TEST(DeeperPieces, HaveWhatMeetsThem)
   const Levels<Filter> levels(grid, 0, {});
   const NestedPieces pieces = levels.MakePieces(0);
   const Sectors sectors(pieces, levels.GetStep());
-  const DeeperPieces deeper({ pieces, sectors, levels.GetStep() }, { { 0, 1 } });
-  const auto made = deeper.Get();
+  const auto deeper =
+    subdivision::SplitIntoHalves({ pieces, sectors, levels.GetStep() }, { { 0, 1 } });
+  const auto made = deeper->Get();
   // All children of its triangle, and three beyond the edge at whose end it lies.
   EXPECT_EQ(made.Pieces.GetNumberOfCells(), 7);
   EXPECT_EQ(made.Pieces.GetNumberOfPoints(0), 8);
-  EXPECT_EQ(deeper.GetCorners().size(), 8U);
+  EXPECT_EQ(deeper->GetCorners().size(), 8U);
 }
