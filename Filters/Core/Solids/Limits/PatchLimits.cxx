@@ -11,7 +11,11 @@ namespace subdivision
 template <typename LevelType>
 bool PatchLimits<LevelType>::Start(const PatchSimplex<Id>& simplex, PatchTree& tree) const
 {
-  const int size = simplex.Corners[2] < 0 ? 2 : 3;
+  const int size = simplex.Corners[1] < 0 ? 1 : simplex.Corners[2] < 0 ? 2 : 3;
+  if (size == 1)
+  {
+    return false;
+  }
   const auto isBefore = [this](Id a, Id b)
   { return AreValuesBefore(this->Values, this->Components, a, b); };
   const std::array<int, 3> order = SortCorners(

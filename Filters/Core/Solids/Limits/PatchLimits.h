@@ -3,7 +3,7 @@
  * @file PatchLimits.h
  * Limits of values at places of curves and sheets of a level, without any step of subdivision of
  * the level: each simplex has a tree of its own (PatchTree.h). Other places are left to
- * LatticeParts and LatticeValues, in the tet/oct scheme to LocalLimit.
+ * LatticeValues.
  */
 #ifndef SubdivisionObjects_PatchLimits_h
 #define SubdivisionObjects_PatchLimits_h
