@@ -5,7 +5,6 @@
 #include "Private/RedGreen/RedGreenErrors.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Location/CurveOrder.h"
 
 #include <algorithm>
@@ -172,19 +171,18 @@ void RedGreenErrors<Id>::FindLimitsOnCurved(const Buffer<double>& control)
   this->Limit.WithControl(
     [&](const auto& level)
     {
-      const PatchLimits<std::decay_t<decltype(level)>> limits(
-        level, control.data(), this->Components);
+      const SheetReader<std::decay_t<decltype(level)>> reader(level);
       ForRanges(static_cast<vtkIdType>(this->Curved.size()),
         [&](vtkIdType begin, vtkIdType end)
         {
-          PatchTree tree(this->Rows.OfThread(level.Strata.Weights), this->Components);
+          PatchTree tree(this->Polynomials.OfThread(level.Strata.Weights), this->Components);
           for (vtkIdType i = begin; i < end; ++i)
           {
             const Row<Id> items = on[static_cast<Id>(i)];
             if (items.size() > 0)
             {
               const PatchSimplex<Id>& simplex = this->Curved[i];
-              const bool hasTree = limits.Start(simplex, tree);
+              const bool hasTree = tree.Start(reader, simplex, control.data());
               LatticeValues<Id>& values = this->GetLatticeOfThread(level);
               for (const Id item : items)
               {

@@ -10,7 +10,7 @@
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/PairTable.h"
 #include "Core/Solids/Limits/LatticeValues.h"
-#include "Core/Solids/Limits/PatchLimits.h"
+#include "Core/Solids/Limits/PatchTree.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -63,7 +63,7 @@ private:
   using Carrier = std::array<Id, 4>; ///< the vertices of a control simplex, ascending; then -1
 
   /// An edge (two corners) or face (three) of the uniform refinement with the places of
-  /// SheetRows.h, or a tetrahedron (four) with one place, between the middles of the edges 01 and
+  /// PatchTree.h, or a tetrahedron (four) with one place, between the middles of the edges 01 and
   /// 23.
   struct Site
   {
@@ -188,7 +188,7 @@ private:
   /// sorted by their corners, which ascend; then all vertices.
   std::vector<PatchSimplex<Id>> Curved;
   Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
-  KnownSheetRows Rows;
+  KnownPolynomials Polynomials;
   vtkSMPThreadLocal<std::shared_ptr<LatticeValues<Id>>> OnLattice; ///< from round to round
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;

@@ -7,7 +7,7 @@
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Limits/PatchLimits.h"
+#include "Core/Solids/Limits/PatchTree.h"
 
 #include <gtest/gtest.h>
 
@@ -41,14 +41,14 @@ public:
     const int size = this->Components;
     const std::vector<double> values = this->MakeControlValues();
     const std::vector<double> expected = this->FindExpected(values);
-    const PatchLimits<Level<int>> limits(this->Control, values.data(), size);
+    const SheetReader<Level<int>> reader(this->Control);
     PatchPolynomials polynomials(this->Control.Strata.Weights);
     PatchTree tree(polynomials, size);
     std::vector<double> found(size);
     for (const Place& place : this->Places)
     {
       found.assign(size, std::nan(""));
-      if (limits.Start(place.Simplex, tree))
+      if (tree.Start(reader, place.Simplex, values.data()))
       {
         tree.Find(place.Weights, found.data());
       }
@@ -56,14 +56,6 @@ public:
       for (int c = 0; c < size && !std::isnan(found[0]); ++c)
       {
         ASSERT_NEAR(found[c], expected[size * place.Vertex + c], 1e-12);
-      }
-    }
-    for (int v = 0; v < this->Control.Complex.NumberOfVertices; ++v)
-    {
-      const bool isFound = limits.FindAtVertex(v, polynomials.GetRows(), found.data());
-      for (int c = 0; c < size && isFound; ++c)
-      {
-        ASSERT_NEAR(found[c], expected[size * v + c], 1e-12);
       }
     }
   }
