@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The limits from which RedGreenErrors measures: those over control simplices in curves and sheets
-// by polynomials, those that depend on joints by values on a lattice or, in the tet/oct scheme,
-// next to joints by rows of equal neighbourhoods, and all others by LocalLimit.
+// The limits from which RedGreenErrors measures: those on curves and surfaces by polynomials over
+// control simplices, or by values on a lattice where it is no polynomial, and all others by
+// LocalLimit.
 #include "Private/RedGreen/RedGreenErrors.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Solids/Limits/LatticeParts.h"
-#include "Core/Solids/Limits/PatchLimits.h"
 #include "Core/Solids/Location/CurveOrder.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
 #include <utility>
 
 namespace subdivision
@@ -142,22 +139,14 @@ void RedGreenErrors<Id>::FindLimits(const RedGreen<Id>& state)
   const Buffer<double> control = this->GetControlValues();
   if (this->Limit.GetCreases().Stages.empty()) // edges that are sharp for some steps are no curves
   {
-    this->FindLimitsInPatches(control);
-    this->Limit.WithControl(
-      [&](const auto& level)
-      {
-        if constexpr (std::is_same<std::decay_t<decltype(level)>, Level<Id>>::value)
-        {
-          this->FindLimitsOnLattice(level, control.data());
-        }
-      });
+    this->FindLimitsOnCurved(control);
   }
   this->FindOtherLimits(state, control);
 }
 
-/// Finds the limits over control simplices that depend on curves and sheets alone.
+/// Finds the limits on curves and surfaces.
 template <typename Id>
-void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
+void RedGreenErrors<Id>::FindLimitsOnCurved(const Buffer<double>& control)
 {
   // The corners and sites on each simplex.
   const auto all = static_cast<vtkIdType>(this->Corners.size() + this->Sites.size());
@@ -182,63 +171,39 @@ void RedGreenErrors<Id>::FindLimitsInPatches(const Buffer<double>& control)
   this->Limit.WithControl(
     [&](const auto& level)
     {
-      const PatchLimits<std::decay_t<decltype(level)>> limits(
-        level, control.data(), this->Components);
+      const SheetReader<std::decay_t<decltype(level)>> reader(level);
       ForRanges(static_cast<vtkIdType>(this->Curved.size()),
         [&](vtkIdType begin, vtkIdType end)
         {
-          PatchTree tree(this->Rows.OfThread(level.Strata.Weights), this->Components);
+          PatchTree tree(this->Polynomials.OfThread(level.Strata.Weights), this->Components);
           for (vtkIdType i = begin; i < end; ++i)
           {
-            const PatchSimplex<Id>& simplex = this->Curved[i];
             const Row<Id> items = on[static_cast<Id>(i)];
-            if (items.size() > 0 && simplex.Corners[1] < 0)
+            if (items.size() > 0)
             {
-              limits.FindAtVertex(simplex.Number, tree.GetPolynomials().GetRows(),
-                this->AtVertices.data() + this->Components * vtkIdType(*items.begin()));
-            }
-            else if (items.size() > 0 && limits.Start(simplex, tree))
-            {
+              const PatchSimplex<Id>& simplex = this->Curved[i];
+              const bool hasTree = tree.Start(reader, simplex, control.data());
+              LatticeValues<Id>& values = this->GetLatticeOfThread(level);
               for (const Id item : items)
               {
                 this->ForPlacesOf(item, simplex,
-                  [&tree](const std::array<double, 3>& at, double* limit)
-                  { tree.Find(at, limit); });
+                  [&](const std::array<double, 3>& at, double* limit)
+                  {
+                    hasTree ? tree.Find(at, limit) : void();
+                    std::isnan(*limit) ? FindLimitOnLattice(simplex, at, level.Complex,
+                                           control.data(), values, limit)
+                                       : void();
+                  });
               }
-            }
-            else if (items.size() > 0)
-            {
-              this->FindLimitsInParts(level, simplex, items, control.data(), tree);
             }
           }
         });
     });
 }
 
-/// The same over a simplex that touches a joint, as far as large parts of it do not.
 template <typename Id>
 template <typename LevelType>
-void RedGreenErrors<Id>::FindLimitsInParts([[maybe_unused]] const LevelType& level,
-  [[maybe_unused]] const PatchSimplex<Id>& simplex, [[maybe_unused]] const Row<Id>& items,
-  [[maybe_unused]] const double* control, [[maybe_unused]] PatchTree& tree)
-{
-  if constexpr (std::is_same<LevelType, Level<Id>>::value)
-  {
-    LatticeParts<Id> parts(level, this->GetLatticeOfThread(level), control, this->Components);
-    if (parts.Start(simplex))
-    {
-      for (const Id item : items)
-      {
-        this->ForPlacesOf(item, simplex,
-          [&parts](const std::array<double, 3>& at, double* limit) { parts.Add(at, limit); });
-      }
-      parts.Run(tree);
-    }
-  }
-}
-
-template <typename Id>
-LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const Level<Id>& level)
+LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const LevelType& level)
 {
   std::shared_ptr<LatticeValues<Id>>& values = this->OnLattice.Local();
   if (!values)
@@ -251,6 +216,25 @@ LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const Level<Id>& level
     values->Clear();
   }
   return *values;
+}
+
+/// Finds the limit at a place of a simplex, whose corners are in ascending order.
+template <typename Id>
+void RedGreenErrors<Id>::FindLimitOnLattice(const PatchSimplex<Id>& simplex,
+  const std::array<double, 3>& at, const SimplicialComplex<Id>& complex, const double* control,
+  LatticeValues<Id>& values, double* limit)
+{
+  const int dimension = simplex.Corners[1] < 0 ? 0 : simplex.Corners[2] < 0 ? 1 : 2;
+  const Id* corners = dimension == 0 ? simplex.Corners.data()
+    : dimension == 1                 ? complex.EdgeVertices.data() + 2 * vtkIdType(simplex.Number)
+                                     : complex.FaceVertices.data() + 3 * vtkIdType(simplex.Number);
+  std::array<double, 3> ordered{};
+  for (int k = 0; k <= dimension; ++k)
+  {
+    const Id* sorted = std::find(simplex.Corners.begin(), simplex.Corners.end(), corners[k]);
+    ordered[k] = at[sorted - simplex.Corners.begin()];
+  }
+  values.FindLimit(dimension, simplex.Number, ordered, control, limit);
 }
 
 /// The number of the control simplex on which a corner or, by the numbers that follow, a site lies;
@@ -305,55 +289,6 @@ void RedGreenErrors<Id>::ForPlacesOf(
     act(
       weights, this->AtSites.data() + this->Components * (PlacesOfSite * (item - corners) + place));
   }
-}
-
-/// Finds the limits on curves and surfaces that are not known yet, by the box-spline scheme.
-template <typename Id>
-void RedGreenErrors<Id>::FindLimitsOnLattice(const Level<Id>& level, const double* control)
-{
-  ForRanges(static_cast<vtkIdType>(this->Corners.size() + this->Sites.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const auto corners = static_cast<vtkIdType>(this->Corners.size());
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const bool isKnown = i < corners ? this->IsKnown(this->AtVertices, i)
-                                         : this->IsKnown(static_cast<Id>(i - corners));
-        const Id simplex = isKnown ? Id(-1) : this->GetSimplexOf(i);
-        if (simplex >= 0)
-        {
-          this->FindLimitOnLattice(
-            i, simplex, level.Complex, control, this->GetLatticeOfThread(level));
-        }
-      }
-    });
-}
-
-/// The same of one corner or site.
-template <typename Id>
-void RedGreenErrors<Id>::FindLimitOnLattice(vtkIdType item, Id number,
-  const SimplicialComplex<Id>& complex, const double* control, LatticeValues<Id>& values)
-{
-  const PatchSimplex<Id>& simplex = this->Curved[number];
-  const int dimension = simplex.Corners[1] < 0 ? 0 : simplex.Corners[2] < 0 ? 1 : 2;
-  const Id* corners = dimension == 0 ? simplex.Corners.data()
-    : dimension == 1                 ? complex.EdgeVertices.data() + 2 * vtkIdType(simplex.Number)
-                                     : complex.FaceVertices.data() + 3 * vtkIdType(simplex.Number);
-  this->ForPlacesOf(item, simplex,
-    [&](const std::array<double, 3>& at, double* limit)
-    {
-      if (!std::isnan(*limit))
-      {
-        return;
-      }
-      std::array<double, 3> ordered{};
-      for (int k = 0; k <= dimension; ++k)
-      {
-        const Id* sorted = std::find(simplex.Corners.begin(), simplex.Corners.end(), corners[k]);
-        ordered[k] = at[sorted - simplex.Corners.begin()];
-      }
-      values.FindLimit(dimension, simplex.Number, ordered, control, limit);
-    });
 }
 
 /// The vertex in the middle of an edge between two vertices of a numbering.

@@ -10,7 +10,7 @@
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/PairTable.h"
 #include "Core/Solids/Limits/LatticeValues.h"
-#include "Core/Solids/Limits/PatchLimits.h"
+#include "Core/Solids/Limits/PatchTree.h"
 #include "Private/Criteria/RefinementCriteria.h"
 #include "Private/RedGreen/RedGreenLimit.h"
 #include "Private/RedGreen/RefinementMarks.h"
@@ -63,7 +63,7 @@ private:
   using Carrier = std::array<Id, 4>; ///< the vertices of a control simplex, ascending; then -1
 
   /// An edge (two corners) or face (three) of the uniform refinement with the places of
-  /// SheetRows.h, or a tetrahedron (four) with one place, between the middles of the edges 01 and
+  /// PatchTree.h, or a tetrahedron (four) with one place, between the middles of the edges 01 and
   /// 23.
   struct Site
   {
@@ -73,7 +73,7 @@ private:
     int GetSize() const { return this->Corners[2] < 0 ? 2 : this->Corners[3] < 0 ? 3 : 4; }
   };
   static constexpr int PlacesOfSite = 3;
-  static constexpr std::size_t MostOnLattice = 1 << 22; ///< in numbers of 8 bytes, of each thread
+  static constexpr std::size_t MostOnLattice = 1 << 20; ///< in numbers of 8 bytes, of each thread
   /// A place on the limit at which the error is measured, and the edge or triangle that stands for
   /// it.
   struct Sample
@@ -148,17 +148,15 @@ private:
     const std::array<Id, 3>& corners, Id curved, bool isOfSolid);
 
   void FindLimits(const RedGreen<Id>& state);
-  void FindLimitsInPatches(const Buffer<double>& control);
+  void FindLimitsOnCurved(const Buffer<double>& control);
   template <typename LevelType>
-  void FindLimitsInParts(const LevelType& level, const PatchSimplex<Id>& simplex,
-    const Row<Id>& items, const double* control, PatchTree& tree);
-  LatticeValues<Id>& GetLatticeOfThread(const Level<Id>& level);
+  LatticeValues<Id>& GetLatticeOfThread(const LevelType& level);
+  static void FindLimitOnLattice(const PatchSimplex<Id>& simplex, const std::array<double, 3>& at,
+    const SimplicialComplex<Id>& complex, const double* control, LatticeValues<Id>& values,
+    double* limit);
   Id GetSimplexOf(vtkIdType item) const;
   template <typename Act>
   void ForPlacesOf(vtkIdType item, const PatchSimplex<Id>& simplex, const Act& act);
-  void FindLimitsOnLattice(const Level<Id>& level, const double* control);
-  void FindLimitOnLattice(vtkIdType item, Id number, const SimplicialComplex<Id>& complex,
-    const double* control, LatticeValues<Id>& values);
   void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
   std::vector<Unknown> FindUnknown() const;
   void FindLimitsOf(
@@ -190,7 +188,7 @@ private:
   /// sorted by their corners, which ascend; then all vertices.
   std::vector<PatchSimplex<Id>> Curved;
   Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
-  KnownSheetRows Rows;
+  KnownPolynomials Polynomials;
   vtkSMPThreadLocal<std::shared_ptr<LatticeValues<Id>>> OnLattice; ///< from round to round
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;

@@ -46,6 +46,13 @@ LatticeWeights Sum(LatticeWeights a, const LatticeWeights& b)
     a.begin(), a.end(), b.begin(), a.begin(), [](long long x, long long y) { return x + y; });
   return a;
 }
+/// A vertex as one of the next level.
+template <typename Id>
+LatticeVertex<Id> Double(LatticeVertex<Id> vertex)
+{
+  vertex.Weights = Sum(vertex.Weights, vertex.Weights);
+  return vertex;
+}
 
 }
 
@@ -536,11 +543,7 @@ bool BoxSplineLattice<Id>::SolveLimit(
   const LatticeVertex<Id>& vertex, std::vector<double>& weights) const
 {
   std::vector<LatticeVertex<Id>> items{ vertex };
-  std::vector<LatticeVertex<Id>> next{ vertex };
-  for (long long& weight : next[0].Weights)
-  {
-    weight *= 2;
-  }
+  std::vector<LatticeVertex<Id>> next{ Double(vertex) };
   const bool isRead = this->ForRing(vertex,
     [&](int dimension, Id simplex, const LatticeWeights& own, const LatticeWeights& other)
     {
@@ -550,19 +553,38 @@ bool BoxSplineLattice<Id>::SolveLimit(
   return isRead && SolveLatticeLimit(*this, items, next, weights);
 }
 
+/// The limit by way of the next level, where the rules around a vertex are those of all later ones.
+template <typename Id>
+bool BoxSplineLattice<Id>::ReadLimitAfterStep(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
+{
+  LatticeRow<Id> next;
+  LatticeRow<Id> step;
+  bool isKnown = this->ReadLimit(Double(vertex), next);
+  row.Clear();
+  for (std::size_t i = 0; isKnown && i < next.Vertices.size(); ++i)
+  {
+    isKnown = this->ReadRow(next.Vertices[i], step);
+    for (std::size_t k = 0; k < step.Vertices.size(); ++k)
+    {
+      row.Add(step.Vertices[k], next.Weights[i] * step.Weights[k]);
+    }
+  }
+  return isKnown;
+}
+
 template <typename Id>
 bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
   if (vertex.Dimension == 1 && std::min(vertex.Weights[0], vertex.Weights[1]) == 1 &&
     !FindSectorEdges(this->Strata.Sectors, vertex.Simplex).IsEmpty())
   {
-    return false; // its limit is not that of others on the edge
+    return this->ReadLimitAfterStep(vertex, row); // not that of others on the edge
   }
   static const std::vector<double> ofCurves{ 2. / 3., 1. / 6., 1. / 6. };
   static const std::vector<double> ofSurfaces{ 1. / 2., 1. / 12., 1. / 12., 1. / 12., 1. / 12.,
     1. / 12., 1. / 12. };
   const Rule rule = this->GetRule(vertex);
-  const bool isFixed = this->IsBlendWanted && vertex.Dimension > 0;
+  const bool isFixed = vertex.Dimension > 0;
   const std::vector<double>* weights = isFixed && rule == Rule::Curve ? &ofCurves
     : isFixed && rule == Rule::Surface                                ? &ofSurfaces
                                                                       : nullptr;

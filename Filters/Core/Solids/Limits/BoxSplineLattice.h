@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -102,9 +103,9 @@ template <typename Id>
 SharpSimplices<Id> FindSharpSimplices(
   const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases);
 
-/// It has the rules of vertices, edges and faces with d = 0 to 3, and Blend if that is wanted.
-/// Methods that return false have met another one, such as a joint that is sharp, or the limit of a
-/// neighbour of a control vertex where rules depend on the sector (SectorEdges.h), or something
+/// It has the rules of vertices, edges and faces with d = 0 to 3, and Blend; of a level of another
+/// scheme than the box spline those with d < 3.
+/// Methods that return false have met another one, such as a joint that is sharp, or something
 /// semi-sharp. At joints with Blend nobody may ask for limits of vertices of the control level
 /// itself, whose first step differs. Threads have one each.
 template <typename Id>
@@ -114,14 +115,12 @@ public:
   using LevelRow = LatticeRow<Id>;
 
   /// `level` was made with Depth::ForRefinement, or is the control level. Both must outlive this.
-  /// Of another scheme than the box spline, what it has with d < 3, and never Blend.
   template <typename LevelType>
-  BoxSplineLattice(
-    const LevelType& level, const SharpSimplices<Id>& sharp, bool isBlendWanted = false)
+  BoxSplineLattice(const LevelType& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Sharp(sharp)
-    , IsBlendWanted(isBlendWanted)
+    , HasSolids(std::is_same<LevelType, Level<Id>>::value)
   {
   }
 
@@ -147,11 +146,14 @@ public:
 private:
   LatticeWeights Lift(const Id* from, int corners, const LatticeWeights& weights, const Id* to,
     int cornersThere) const;
-  bool IsUnknown(Rule rule) const { return rule == Rule::Blend && !this->IsBlendWanted; }
+  bool IsUnknown(Rule rule) const
+  {
+    return !this->HasSolids && (rule == Rule::Blend || rule == Rule::Solid);
+  }
   bool IsFaceKnown(Rule rule, vtkIdType tets) const
   {
-    return rule == Rule::Surface || (rule == Rule::Solid && tets == 2) ||
-      (rule == Rule::Blend && this->IsBlendWanted);
+    return rule == Rule::Surface ||
+      (this->HasSolids && (rule == Rule::Blend || (rule == Rule::Solid && tets == 2)));
   }
   template <typename Act>
   bool ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
@@ -177,11 +179,12 @@ private:
   void AppendRule(const Buffer<Stratum>& strata, int dimension, Id simplex);
   void AppendEdge(Id edge);
   bool SolveLimit(const LatticeVertex<Id>& vertex, std::vector<double>& weights) const;
+  bool ReadLimitAfterStep(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
   const SharpSimplices<Id>& Sharp;
-  const bool IsBlendWanted;
+  const bool HasSolids; ///< of the box-spline scheme
   LatticeLimits Limits;
   // Of the limit that is looked for:
   Neighbourhood Key;

@@ -8,6 +8,11 @@
 
 namespace subdivision
 {
+namespace
+{
+
+/// The first level, but not the control level, that has a vertex with some weights, none of which
+/// is negative; they become multiples of 1/2^level. -1: there is none.
 int FindLatticeLevel(const std::array<double, 3>& at, LatticeWeights& weights)
 {
   constexpr long long all = 1ll << MostLatticeLevels;
@@ -37,6 +42,8 @@ int FindLatticeLevel(const std::array<double, 3>& at, LatticeWeights& weights)
     weight >>= zeros;
   }
   return sum == all ? MostLatticeLevels - zeros : -1;
+}
+
 }
 
 template <typename Id>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LatticeValues.h
- * Limits of values at places of curves and surfaces by the box-spline scheme, also at joints with
- * the rule Blend, without making a level: the value at a vertex of any level is a sum of values on
- * the level before (BoxSplineLattice.h). Each value is found once, so that neighbouring places, and
- * those of later rounds of a refinement, share nearly all.
+ * Limits of values at places of curves and surfaces without making a level: the value at a vertex
+ * of any level is a sum of values on the level before (BoxSplineLattice.h). Each value is found
+ * once, so that neighbouring places, and those of later rounds of a refinement, share nearly all.
  */
 #ifndef SubdivisionObjects_LatticeValues_h
 #define SubdivisionObjects_LatticeValues_h
@@ -20,17 +19,14 @@ namespace subdivision
 
 constexpr int MostLatticeLevels = 50;
 
-/// The first level, but not the control level, that has a vertex with some weights, none of which
-/// is negative; they become multiples of 1/2^level. -1: there is none.
-int FindLatticeLevel(const std::array<double, 3>& at, LatticeWeights& weights);
-
 template <typename Id>
 class LatticeValues
 {
 public:
   /// `level` is the control level. It must outlive this.
-  LatticeValues(const Level<Id>& level, int components)
-    : Lattice(level, this->NothingSharp, true)
+  template <typename LevelType>
+  LatticeValues(const LevelType& level, int components)
+    : Lattice(level, this->NothingSharp)
     , Components(components)
   {
   }
@@ -43,15 +39,6 @@ public:
   /// interleaved, the same in each call.
   void FindLimit(int dimension, Id simplex, const std::array<double, 3>& at, const double* control,
     double* limit);
-
-  /// The value at a vertex of a level, in any simplex that has it. What a pointer to it points to
-  /// stays until another one of the same level is found.
-  const double* FindValue(
-    int dimension, Id simplex, const LatticeWeights& weights, int level, const double* control)
-  {
-    this->Control = control;
-    return this->Find(this->Lattice.Find(dimension, simplex, weights), level);
-  }
 
   /// How many values are kept.
   std::size_t GetSize() const { return this->Size; }

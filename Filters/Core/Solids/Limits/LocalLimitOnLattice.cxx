@@ -180,7 +180,7 @@ private:
           std::shared_ptr<BoxSplineLattice<Id>>& lattice = this->Lattices.Local();
           if (!lattice)
           {
-            lattice = std::make_shared<BoxSplineLattice<Id>>(this->Control, this->Sharp, true);
+            lattice = std::make_shared<BoxSplineLattice<Id>>(this->Control, this->Sharp);
           }
           for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
           {

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PatchPolynomials.h
- * The limit over a curve segment or triangle with nothing but regular vertices around it, as a
- * polynomial: few neighbourhoods (SheetRows.h) serve a whole mesh, and a place costs a few sums.
+ * The limit over a part of a curve segment or triangle as a polynomial of degree 4: few
+ * neighbourhoods (SheetKey.h) serve a whole mesh, and a place costs a few sums. They are found on a
+ * mesh of the triangles of a neighbourhood alone, when they are first needed.
  */
 #ifndef SubdivisionObjects_PatchPolynomials_h
 #define SubdivisionObjects_PatchPolynomials_h
 
 #include "Core/Operators/PatchPowers.h"
-#include "Core/Solids/Limits/PlacePolynomial.h"
-#include "Core/Solids/Limits/SheetRows.h"
+#include "Core/Rules/LoopWeights.h"
+#include "Core/Solids/Limits/SheetKey.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -25,39 +26,41 @@ class PatchPolynomials
 {
 public:
   explicit PatchPolynomials(LoopWeights weights)
-    : Rows(weights)
+    : Weights(weights)
   {
   }
   /// The weights of all columns of a key for the first of PatchPowers::Quartic, then for the
-  /// second, ...; u and v are the weights of the second and the third corner. The places of the key
-  /// are FaceLattice, EdgeLattice or CurveLattice.
+  /// second, ...; u and v are the weights of the second and the third corner. The key is that of a
+  /// face or the edge of a curve.
   const std::vector<double>& Find(const SheetKey& key);
   /// The same without zeros: a row for each power.
   const SparseRows<int>& FindSparse(const SheetKey& key);
-  SheetRows& GetRows() { return this->Rows; }
+  /// A child (ListChildren) of a face.
+  const SheetChild& FindChild(const SheetKey& key, int child);
 
 private:
-  SheetRows Rows;
+  LoopWeights Weights;
   std::unordered_map<std::uint64_t, std::vector<double>> Found;
   std::unordered_map<std::uint64_t, SparseRows<int>> Sparse;
+  std::unordered_map<std::uint64_t, SheetChild> Children;
 };
 
 /// What each thread has found, for all that works on levels with the same weights.
-class KnownSheetRows
+class KnownPolynomials
 {
 public:
   PatchPolynomials& OfThread(LoopWeights weights)
   {
-    std::shared_ptr<PatchPolynomials>& rows = this->Rows.Local();
-    if (!rows)
+    std::shared_ptr<PatchPolynomials>& found = this->Found.Local();
+    if (!found)
     {
-      rows = std::make_shared<PatchPolynomials>(weights);
+      found = std::make_shared<PatchPolynomials>(weights);
     }
-    return *rows;
+    return *found;
   }
 
 private:
-  vtkSMPThreadLocal<std::shared_ptr<PatchPolynomials>> Rows;
+  vtkSMPThreadLocal<std::shared_ptr<PatchPolynomials>> Found;
 };
 
 }

@@ -19,25 +19,14 @@ bool IsRegularFan(const SheetFan& fan)
 /// Whether the limit over the whole simplex is one polynomial.
 bool IsPolynomial(const SheetKey& key)
 {
-  if (key.Places == SheetPlaces::CurveEdge)
-  {
-    return true;
-  }
-  const auto first = key.Fans.begin();
-  return std::all_of(first, first + (key.Places == SheetPlaces::Face ? 3 : 2), IsRegularFan);
+  return key.Places == SheetPlaces::Curve ||
+    std::all_of(key.Fans.begin(), key.Fans.end(), IsRegularFan);
 }
 
-/// The child with a place, and the weights of its corners. The middle one comes first where two
-/// share the place.
-int GoToChild(bool isFace, std::array<double, 3>& at)
+/// The child of a face with a place, and the weights of its corners. The middle one comes first
+/// where two share the place.
+int GoToChild(std::array<double, 3>& at)
 {
-  if (!isFace)
-  {
-    const int child = at[0] >= 0.5 ? 0 : 1;
-    at[1 - child] *= 2.;
-    at[child] = 1. - at[1 - child];
-    return child;
-  }
   for (int child = 0; child < 3; ++child)
   {
     if (at[child] > 0.5)
@@ -56,7 +45,7 @@ int GoToChild(bool isFace, std::array<double, 3>& at)
 
 /// The sum of the powers u^i v^j with i + j <= 4, those without v first, with values.
 template <typename Size>
-void Evaluate(const double* powers, bool isFace, double u, double v, double* sums, Size size)
+void Evaluate(const double* powers, double u, double v, double* sums, Size size)
 {
   const auto sum = [&](int first, int degree, std::size_t c)
   {
@@ -69,12 +58,8 @@ void Evaluate(const double* powers, bool isFace, double u, double v, double* sum
   };
   for (std::size_t c = 0; c < size; ++c)
   {
-    double value = sum(0, 4, c);
-    if (isFace)
-    {
-      value += v * (sum(5, 3, c) + v * (sum(9, 2, c) + v * (sum(12, 1, c) + v * sum(14, 0, c))));
-    }
-    sums[c] = value;
+    sums[c] = sum(0, 4, c) +
+      v * (sum(5, 3, c) + v * (sum(9, 2, c) + v * (sum(12, 1, c) + v * sum(14, 0, c))));
   }
 }
 
@@ -131,7 +116,7 @@ int PatchTree::GetChild(int parent, int child)
 {
   if (this->Nodes[parent].Children[child] < 0)
   {
-    const SheetChild& found = this->Polynomials.GetRows().FindChild(this->Nodes[parent].Key, child);
+    const SheetChild& found = this->Polynomials.FindChild(this->Nodes[parent].Key, child);
     if (found.Rows.GetNumberOfRows() == 0)
     {
       return -1;
@@ -151,13 +136,9 @@ int PatchTree::GetChild(int parent, int child)
 
 void PatchTree::MakePowers(Node& node)
 {
-  SheetKey key = node.Key;
-  key.Places = key.Places == SheetPlaces::Face ? SheetPlaces::FaceLattice
-    : key.Places == SheetPlaces::Edge          ? SheetPlaces::EdgeLattice
-                                               : SheetPlaces::CurveLattice;
   const std::size_t first = this->Powers.size();
   this->Powers.resize(first + QuarticPowers * this->Components, 0.);
-  const SparseRows<int>& rows = this->Polynomials.FindSparse(key);
+  const SparseRows<int>& rows = this->Polynomials.FindSparse(node.Key);
   this->WithSize([&](auto size)
     { SumRows(rows, this->Values.data() + node.Values, this->Powers.data() + first, size); });
   node.Powers = static_cast<std::ptrdiff_t>(first);
@@ -170,10 +151,9 @@ void PatchTree::Find(const std::array<double, 3>& at, double* limit)
   std::transform(this->Order.begin(), this->Order.end(), weights.begin(),
     [&at](int corner) { return at[corner]; });
   int number = 0;
-  const bool isFace = this->Nodes[0].Key.Places == SheetPlaces::Face;
   for (int splits = 0; !this->Nodes[number].IsRegular; ++splits)
   {
-    number = this->GetChild(number, GoToChild(isFace, weights));
+    number = this->GetChild(number, GoToChild(weights));
     if (number < 0 || splits == MostSplits)
     {
       return;
@@ -185,7 +165,7 @@ void PatchTree::Find(const std::array<double, 3>& at, double* limit)
     this->MakePowers(node);
   }
   this->WithSize([&](auto size)
-    { Evaluate(this->Powers.data() + node.Powers, isFace, weights[1], weights[2], limit, size); });
+    { Evaluate(this->Powers.data() + node.Powers, weights[1], weights[2], limit, size); });
 }
 
 }

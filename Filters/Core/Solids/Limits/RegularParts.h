@@ -34,7 +34,7 @@ struct RegularSimplex
   int Turn = 0;
   RegularParts Parts{};
   /// Whether it is a part of a curve, or of a sheet, inside of which all is regular. Then this is
-  /// what the limit over it depends on; the places of the key are a lattice in the whole simplex.
+  /// what the limit over it depends on.
   bool IsPatch = false;
   SheetPatch<Id> Patch;    ///< not set where there is Inner
   SplineColumns<Id> Inner; ///< of a triangle in which and around which all is regular
@@ -64,7 +64,7 @@ public:
 
   RegularReader(const LevelType& level, const std::vector<LimitPlace<Id>>& places)
     : Level(level)
-    , Reader(level, None)
+    , Reader(level)
   {
     Buffer<unsigned char> isCorner(level.Complex.NumberOfVertices, 0);
     for (const LimitPlace<Id>& place : InTurn(places))
@@ -158,9 +158,7 @@ private:
     simplex.IsPatch = isCurve && parts[1] && parts[2];
     if (simplex.IsPatch)
     {
-      const auto takesFirst = [](Id, Id) { return false; };
-      this->Reader.ReadEdge(edge, corners[0], corners[1], takesFirst, simplex.Patch);
-      simplex.Patch.Key.Places = SheetPlaces::CurveLattice;
+      this->Reader.ReadCurve(edge, corners[0], corners[1], simplex.Patch);
     }
   }
 
@@ -212,7 +210,6 @@ private:
       parts[1 << i] = (fan.What == SheetFan::Kind::Closed && fan.After == 4) ||
         (fan.What == SheetFan::Kind::Open && fan.After + fan.Before == 2);
     }
-    patch.Key.Places = SheetPlaces::FaceLattice;
     simplex.IsPatch = isSheet && parts[3] && parts[5] && parts[6];
     if (simplex.IsPatch && (simplex.Turn > 0 || !SetInner(patch, simplex.Inner)))
     {
@@ -243,7 +240,6 @@ private:
     return inner.Set(points, BoxSplinePoints);
   }
 
-  const Buffer<unsigned char> None;
   const LevelType& Level;
   const SheetReader<LevelType> Reader;
   PairTable<Id> Edges;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SheetReader.h
- * Reads off a level what the limits at some places of a sheet depend on (SheetRows.h).
+ * Reads off a level what the limit over a part of a curve or sheet depends on (SheetKey.h).
  */
 #ifndef SubdivisionObjects_SheetReader_h
 #define SubdivisionObjects_SheetReader_h
 
-#include "Core/Memory/PairTable.h"
 #include "Core/Rules/Rule.h"
-#include "Core/Solids/Limits/SheetRows.h"
+#include "Core/Solids/Limits/SheetKey.h"
 #include "Core/Solids/Strata/Strata.h"
 
 #include <algorithm>
@@ -52,31 +51,28 @@ std::array<int, 3> SortCorners(int size, const IsBefore& isBefore)
   return order;
 }
 
-/**
- * `whole`: the vertices of the level at which nothing is missing; empty: all. Each method returns
- * false where the places depend on more than a sheet: at joints, inside solids, where a crease ends
- * in a dart, where too many triangles meet, and next to a sector with rules of its own
- * (SectorEdges.h).
- */
+/// Each method returns false where limits depend on more than a sheet: at joints, inside solids,
+/// where a crease ends in a dart, where too many triangles meet, and next to a sector with rules of
+/// its own (SectorEdges.h).
 template <typename LevelType>
 class SheetReader
 {
 public:
   using Id = typename LevelType::IdType;
 
-  SheetReader(const LevelType& level, const Buffer<unsigned char>& whole)
+  explicit SheetReader(const LevelType& level)
     : Complex(level.Complex)
     , Strata(level.Strata)
-    , Whole(whole)
   {
   }
 
   bool ReadVertex(Id vertex, SheetPatch<Id>& patch) const;
-  /// An edge from a to b. isBefore(c, d) chooses between its two triangles by their third corners.
+  /// An edge of a curve from a to b.
+  bool ReadCurve(Id edge, Id a, Id b, SheetPatch<Id>& patch) const;
+  /// The face at an edge inside a sheet, to which `third` becomes the third corner. isBefore(c, d)
+  /// chooses between two by these. -1: the edge lies elsewhere.
   template <typename IsBefore>
-  bool ReadEdge(Id edge, Id a, Id b, const IsBefore& isBefore, SheetPatch<Id>& patch) const;
-  /// The face of the sheet with these corners, if it lies at an edge inside the sheet; else -1.
-  Id FindFace(Id edge, const std::array<Id, 3>& corners) const;
+  Id ChooseFace(Id edge, const IsBefore& isBefore, Id& third) const;
   /// A face, with its corners in this order.
   bool ReadFace(Id face, const std::array<Id, 3>& corners, SheetPatch<Id>& patch) const;
   /// Whether an edge has a triangle of the sheet on both sides, and the plain rule.
@@ -90,15 +86,12 @@ public:
 private:
   Rule RuleOfVertex(Id vertex) const { return this->Strata.Vertices[vertex].GetRule(); }
   Rule RuleOfEdge(Id edge) const { return this->Strata.Edges[edge].GetRule(); }
-  bool IsWhole(Id vertex) const { return this->Whole.empty() || this->Whole[vertex]; }
   Id GetThird(Id face, Id edge) const;
-  bool ReadCurveEdge(Id a, Id b, SheetPatch<Id>& patch) const;
   bool ReadFan(Id face, Id vertex, Id next, SheetFan& fan, std::vector<Id>& columns) const;
   int Walk(Id face, Id vertex, Id& edge, std::vector<Id>& columns, bool& returns) const;
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const Buffer<unsigned char>& Whole;
 };
 
 template <typename LevelType>
@@ -117,10 +110,6 @@ bool SheetReader<LevelType>::ReadVertex(Id vertex, SheetPatch<Id>& patch) const
   patch.Columns.assign(1, vertex);
   patch.Key = SheetKey();
   const auto size = static_cast<int>(std::min<vtkIdType>(ring.size(), SheetFan::Most + 3));
-  if (!this->IsWhole(vertex))
-  {
-    return false;
-  }
   if (rule == Rule::Corner)
   {
     patch.Key.Places = SheetPlaces::CurveVertex;
@@ -143,9 +132,15 @@ bool SheetReader<LevelType>::ReadVertex(Id vertex, SheetPatch<Id>& patch) const
 
 /// Both ends are on the curve, which goes on to the other member of the ring.
 template <typename LevelType>
-bool SheetReader<LevelType>::ReadCurveEdge(Id a, Id b, SheetPatch<Id>& patch) const
+bool SheetReader<LevelType>::ReadCurve(Id edge, Id a, Id b, SheetPatch<Id>& patch) const
 {
-  patch.Key.Places = SheetPlaces::CurveEdge;
+  patch.Key = SheetKey();
+  patch.Key.Places = SheetPlaces::Curve;
+  patch.Columns.assign({ a, b });
+  if (this->RuleOfEdge(edge) != Rule::Curve)
+  {
+    return false;
+  }
   for (int i = 0; i < 2; ++i)
   {
     const Id end = i == 0 ? a : b;
@@ -172,48 +167,18 @@ bool SheetReader<LevelType>::ReadCurveEdge(Id a, Id b, SheetPatch<Id>& patch) co
 
 template <typename LevelType>
 template <typename IsBefore>
-bool SheetReader<LevelType>::ReadEdge(
-  Id edge, Id a, Id b, const IsBefore& isBefore, SheetPatch<Id>& patch) const
+typename LevelType::IdType SheetReader<LevelType>::ChooseFace(
+  Id edge, const IsBefore& isBefore, Id& third) const
 {
-  patch.Key = SheetKey();
-  patch.Columns.assign({ a, b });
-  if (!this->IsWhole(a) || !this->IsWhole(b))
-  {
-    return false;
-  }
-  if (this->RuleOfEdge(edge) == Rule::Curve)
-  {
-    return this->ReadCurveEdge(a, b, patch);
-  }
   if (!this->IsInside(edge))
   {
-    return false;
+    return -1;
   }
   const Id* faces = this->Strata.EdgeRings.GetCarriers(edge).begin();
-  const bool takesSecond = isBefore(this->GetThird(faces[1], edge), this->GetThird(faces[0], edge));
-  const Id face = faces[takesSecond ? 1 : 0];
-  const Id third = this->GetThird(face, edge);
-  patch.Key.Places = SheetPlaces::Edge;
-  patch.Columns.push_back(third);
-  return this->ReadFan(face, a, b, patch.Key.Fans[0], patch.Columns) &&
-    this->ReadFan(face, b, third, patch.Key.Fans[1], patch.Columns);
-}
-
-template <typename LevelType>
-typename LevelType::IdType SheetReader<LevelType>::FindFace(
-  Id edge, const std::array<Id, 3>& corners) const
-{
-  for (const Id face : this->Strata.EdgeRings.GetCarriers(edge))
-  {
-    const Id* has = face < 0 ? nullptr : this->Complex.FaceVertices.data() + 3 * vtkIdType(face);
-    if (has &&
-      std::all_of(corners.begin(), corners.end(),
-        [has](Id corner) { return std::find(has, has + 3, corner) != has + 3; }))
-    {
-      return face;
-    }
-  }
-  return -1;
+  const Id thirds[2] = { this->GetThird(faces[0], edge), this->GetThird(faces[1], edge) };
+  const int taken = isBefore(thirds[1], thirds[0]) ? 1 : 0;
+  third = thirds[taken];
+  return faces[taken];
 }
 
 template <typename LevelType>
@@ -226,7 +191,7 @@ bool SheetReader<LevelType>::ReadFace(
   bool isSheet = true;
   for (int i = 0; isSheet && i < 3; ++i)
   {
-    isSheet = this->IsWhole(corners[i]) &&
+    isSheet =
       this->ReadFan(face, corners[i], corners[(i + 1) % 3], patch.Key.Fans[i], patch.Columns);
   }
   return isSheet;

@@ -22,7 +22,7 @@ class SolidPlaceFinder
 public:
   SolidPlaceFinder(const Level<Id>& level, const SharpSimplices<Id>& sharp)
     : Complex(level.Complex)
-    , Lattice(level, sharp, true)
+    , Lattice(level, sharp)
     , Regular(level, this->Lattice)
   {
   }

@@ -136,11 +136,10 @@ void ExpectNearOnLaterLevels()
 
 }
 
-/// On a lattice all is known but what is beside a sharp joint, or a sector with rules of its own.
+/// On a lattice all is known but what is beside a sharp joint.
 TEST(LocalLimitOnLattice, HasTheRowsOfLevels)
 {
-  static const std::set<std::string> partly = { "Sharp", "Regional", "ModifiedBoundary",
-    "ModifiedDart" };
+  static const std::set<std::string> partly = { "Sharp", "Regional" };
   std::mt19937 random(5);
   int known = 0;
   int partlyKnown = 0;
@@ -165,7 +164,7 @@ TEST(LocalLimitOnLattice, HasTheRowsOfLevels)
     }
   }
   EXPECT_GT(known, 500);
-  EXPECT_GT(partlyKnown, 20);
+  EXPECT_GT(partlyKnown, 10);
 }
 
 /// The same vertices of a solid on five levels, some of them wanted.
@@ -214,7 +213,7 @@ TEST(LocalLimitOnLattice, SemiSharpCreases)
       }
     }
   }
-  EXPECT_GT(partlyKnown, 20);
+  EXPECT_GT(partlyKnown, 10);
 }
 
 TEST(LocalLimitOnLattice, VerticesOnLaterLevels)

@@ -5,10 +5,9 @@
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
-#include "Core/Solids/Limits/LatticeParts.h"
 #include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Limits/PatchLimits.h"
+#include "Core/Solids/Limits/PatchTree.h"
 
 #include <gtest/gtest.h>
 
@@ -42,14 +41,14 @@ public:
     const int size = this->Components;
     const std::vector<double> values = this->MakeControlValues();
     const std::vector<double> expected = this->FindExpected(values);
-    const PatchLimits<Level<int>> limits(this->Control, values.data(), size);
+    const SheetReader<Level<int>> reader(this->Control);
     PatchPolynomials polynomials(this->Control.Strata.Weights);
     PatchTree tree(polynomials, size);
     std::vector<double> found(size);
     for (const Place& place : this->Places)
     {
       found.assign(size, std::nan(""));
-      if (limits.Start(place.Simplex, tree))
+      if (tree.Start(reader, place.Simplex, values.data()))
       {
         tree.Find(place.Weights, found.data());
       }
@@ -57,14 +56,6 @@ public:
       for (int c = 0; c < size && !std::isnan(found[0]); ++c)
       {
         ASSERT_NEAR(found[c], expected[size * place.Vertex + c], 1e-12);
-      }
-    }
-    for (int v = 0; v < this->Control.Complex.NumberOfVertices; ++v)
-    {
-      const bool isFound = limits.FindAtVertex(v, polynomials.GetRows(), found.data());
-      for (int c = 0; c < size && isFound; ++c)
-      {
-        ASSERT_NEAR(found[c], expected[size * v + c], 1e-12);
       }
     }
   }
@@ -95,36 +86,6 @@ public:
     {
       this->Places.push_back({ { { { v, -1, -1 } }, v }, { { 1., 0., 0. } }, v });
       compare(0, this->Places.back());
-    }
-  }
-  /// The same over large parts of simplices.
-  void CompareInParts()
-  {
-    const int size = this->Components;
-    const std::vector<double> values = this->MakeControlValues();
-    const std::vector<double> expected = this->FindExpected(values);
-    LatticeValues<int> lattice(this->Control, size);
-    LatticeParts<int> parts(this->Control, lattice, values.data(), size);
-    PatchPolynomials polynomials(this->Control.Strata.Weights);
-    PatchTree tree(polynomials, size);
-    std::vector<double> found(size * this->Places.size(), std::nan(""));
-    for (std::size_t i = 0; i < this->Places.size();)
-    {
-      const PatchSimplex<int> simplex = this->Places[i].Simplex;
-      const bool isStarted = parts.Start(simplex);
-      for (; i < this->Places.size() && this->Places[i].Simplex.Corners == simplex.Corners; ++i)
-      {
-        isStarted ? parts.Add(this->Places[i].Weights, found.data() + size * i) : void();
-      }
-      parts.Run(tree);
-    }
-    for (std::size_t i = 0; i < found.size(); ++i)
-    {
-      this->Known += i % size == 0 && !std::isnan(found[i]) ? 1 : 0;
-      if (!std::isnan(found[i]))
-      {
-        ASSERT_NEAR(found[i], expected[size * this->Places[i / size].Vertex + i % size], 1e-12);
-      }
     }
   }
   int GetSize() const { return static_cast<int>(this->Places.size()); }
@@ -262,11 +223,11 @@ TEST(PatchLimits, HaveNoNumberWhereThereIsNone)
   EXPECT_TRUE(std::isnan(limit));
 }
 
-/// On a lattice all limits are known, but not beside joints that are sharp, where the rule of an
-/// edge is not that of what it meets, and next to sectors with rules of their own.
+/// On a lattice all limits are known, but not beside joints that are sharp, and where the rule of
+/// an edge is not that of what it meets.
 TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
 {
-  const std::set<std::string> partly = { "Sharp", "Regional", "ModifiedBoundary", "ModifiedDart" };
+  const std::set<std::string> partly = { "Sharp", "Regional" };
   unsigned int seed = 1;
   ForCasesInZoo(
     [&](PatchCase& which, const char* options)
@@ -275,12 +236,6 @@ TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
       const int all = which.GetSize();
       EXPECT_GE(which.Known, partly.count(options) > 0 ? all / 2 : all);
     });
-}
-
-/// Places that are not too close to a control vertex or a joint are in a regular part.
-TEST(LatticeParts, EqualLocalLimitsOnTheWholeZoo)
-{
-  ExpectSomeKnownInZoo([](PatchCase& which) { which.CompareInParts(); });
 }
 
 /// A place that is on no level, or in no simplex, has no limit.
