@@ -173,17 +173,14 @@ def again_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
         if family == "filter" and what == "again":
-            limit = samples.get(("limit", "rows", case, levels, threads))
             osd = samples.get(
                 ("peer", "OpenSubdiv stencil table evaluate", case, levels, threads))
             first = samples.get(("filter", "cached", case, levels, threads)) or samples.get(
                 ("filter", "first", case, levels, threads))
-            rows.append([case + (" (d)" if case == "cube" else ""), str(threads), sample.text(),
-                         limit.text() if limit else "-", ratio(sample, limit), ratio(sample, osd),
+            rows.append([case + (" (d)" if case == "cube" else ""), str(threads), sample.text(), ratio(sample, osd),
                          ratio(first, sample)])
     return ["## Second execution, only the scalar changed", ""] + table(
-        ["case", "threads", "ms", "reading the last level's rows, ms", "time / reading",
-         "time / OpenSubdiv's ready stencil table", "faster than a first execution"], rows)
+        ["case", "threads", "ms", "time / OpenSubdiv's ready stencil table", "faster than a first execution"], rows)
 
 
 def red_green_section(samples):
@@ -313,16 +310,6 @@ def peer_section(samples):
          "we are faster, 4 threads", "note"], rows) if rows else []
 
 
-def stage_section(samples):
-    rows = []
-    for (family, what, case, levels, threads), sample in sorted(samples.items()):
-        if family == "stage":
-            whole = samples.get(("filter", "first", case, levels, threads))
-            rows.append([case, str(threads), what, sample.text(), ratio(sample, whole)])
-    return ["## Stages (sums over all levels)", ""] + table(
-        ["case", "threads", "stage", "ms", "of the whole filter"], rows)
-
-
 def scaling_section(samples):
     rows = []
     for (family, what, case, levels, threads), sample in sorted(samples.items()):
@@ -381,7 +368,6 @@ def run(arguments):
     lines += shape_section(samples, shape_memory)
     lines += adaptive_section(samples) + deformation_section(samples) + interpolation_section(samples)
     lines += peer_section(samples)
-    lines += stage_section(samples)
     if not arguments.quick:
         lines += scaling_section(samples)
     with open(os.path.join(arguments.build, "report.md"), "w", encoding="utf-8") as file:

@@ -8,6 +8,7 @@
  * Every run draws anew, for SUBDIVISIONOBJECTS_RANDOM_SECONDS (60 by default, all tests together).
  * A failure names its seed; SUBDIVISIONOBJECTS_RANDOM_SEED=SEED draws that one alone.
  */
+#include "PointTools.h"
 #include "RandomTools.h"
 #include "SubdivisionDeformationTools.h"
 #include "SurfaceTools.h"
@@ -16,6 +17,7 @@
 #include "vtkRedGreenRefinement.h"
 
 using namespace random_tools;
+using namespace point_tools;
 
 namespace
 {
@@ -282,11 +284,6 @@ Point GetVector(vtkPointSet* mesh, const char* name, vtkIdType point)
   Point value;
   mesh->GetPointData()->GetArray(name)->GetTuple(point, value.data());
   return value;
-}
-
-double Length(const Point& p)
-{
-  return std::hypot(p[0], p[1], p[2]);
 }
 
 /// Whether some part of a surface cannot be oriented, like a Moebius band: all of a part can be

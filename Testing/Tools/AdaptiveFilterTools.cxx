@@ -13,18 +13,11 @@ namespace adaptive_filter_tools
 PolyData Refine(
   vtkPolyData* input, const std::function<void(Filter*)>& configure, Messages* messages)
 {
-  vtkNew<Messages> own;
   vtkNew<Filter> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputData(input);
   filter->RefineByAttributeErrorOff();
   filter->RefineByGeometricErrorOff();
   configure(filter);
-  filter->Update();
-  for (const auto& warning : own->Warnings)
-  {
-    ADD_FAILURE() << warning;
-  }
+  UpdateInSilence(filter, input, messages);
   auto output = PolyData::New();
   output->ShallowCopy(filter->GetOutput());
   return output;

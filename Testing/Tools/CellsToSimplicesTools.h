@@ -6,6 +6,8 @@
 #ifndef SubdivisionObjects_CellsToSimplicesTools_h
 #define SubdivisionObjects_CellsToSimplicesTools_h
 
+#include "PointTools.h"
+
 #include "Private/Reading/CellsToSimplices.h"
 
 #include "vtkCellArray.h"
@@ -32,7 +34,7 @@ namespace cells_to_simplices_tools
 
 using subdivision::CellsToSimplices;
 using subdivision::SimplicesOfCells;
-using Point = std::array<double, 3>;
+using namespace point_tools;
 using Ids = std::vector<vtkIdType>;
 using Face = std::array<vtkIdType, 3>;
 
@@ -58,21 +60,6 @@ inline SimplicesOfCells Convert(const Mesh& mesh)
 std::vector<Ids> GetSimplices(const SimplicesOfCells& result);
 
 std::vector<Point> AddCentres(std::vector<Point> points, const SimplicesOfCells& result);
-
-inline Point Subtract(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-inline Point Cross(const Point& a, const Point& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-inline double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 double Volume(const std::vector<Point>& points, const Ids& tet);
 

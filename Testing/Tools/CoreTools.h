@@ -88,13 +88,16 @@ SingularSimplices FlagSingular(
   return flags;
 }
 
-/// A level and the order of its cells.
-template <typename Id>
-struct Subdivided
+/// A level of any scheme and the order of its cells.
+template <typename AnyLevel>
+struct LevelOfCells
 {
-  subdivision::Level<Id> Level;
+  AnyLevel Level;
   std::vector<CellRun> Runs;
 };
+
+template <typename Id>
+using Subdivided = LevelOfCells<Level<Id>>;
 
 template <typename Id>
 Subdivided<Id> Build(const SimplexList& cells, const std::set<Tuple>& singular = {},
@@ -107,8 +110,9 @@ Subdivided<Id> Build(const SimplexList& cells, const std::set<Tuple>& singular =
   return built;
 }
 
-template <typename Id>
-Subdivided<Id> RefineOnce(const Subdivided<Id>& parent, Depth depth = Depth::ForRefinement)
+template <typename AnyLevel>
+LevelOfCells<AnyLevel> RefineOnce(
+  const LevelOfCells<AnyLevel>& parent, Depth depth = Depth::ForRefinement)
 {
   return { Refine(parent.Level, depth), RefineRuns(parent.Runs, 1) };
 }
@@ -152,26 +156,36 @@ SimplexList ReadChildren(const Subdivided<Id>& level)
     vtkIdType(level.Level.Complex.NumberOfVertices) + level.Level.Complex.NumberOfEdges);
 }
 
+template <typename T>
+T CopyBuffer(const T& from)
+{
+  T to(from.size());
+  std::copy(from.begin(), from.end(), to.begin());
+  return to;
+}
+
+/// What makes the operator of a level, where there are no octahedra.
+template <typename AnyLevel>
+AnyLevel CopyForStencils(const AnyLevel& level)
+{
+  AnyLevel copied;
+  copied.Complex.EdgeVertices = CopyBuffer(level.Complex.EdgeVertices);
+  copied.Strata.TakeChoices(level.Strata);
+  copied.Strata.Sectors = level.Strata.Sectors;
+  copied.Strata.Vertices = CopyBuffer(level.Strata.Vertices);
+  copied.Strata.Edges = CopyBuffer(level.Strata.Edges);
+  copied.Strata.VertexRings.Offsets = CopyBuffer(level.Strata.VertexRings.Offsets);
+  copied.Strata.VertexRings.Members = CopyBuffer(level.Strata.VertexRings.Members);
+  copied.Strata.EdgeRings.Offsets = CopyBuffer(level.Strata.EdgeRings.Offsets);
+  copied.Strata.EdgeRings.Members = CopyBuffer(level.Strata.EdgeRings.Members);
+  return copied;
+}
+
 /// A copy of a level's operator; the level stays whole.
 template <typename Id>
 Stencils<Id> CopyStencils(const Level<Id>& level)
 {
-  auto copy = [](const auto& from)
-  {
-    std::decay_t<decltype(from)> to(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
-    return to;
-  };
-  Level<Id> copied;
-  copied.Complex.EdgeVertices = copy(level.Complex.EdgeVertices);
-  copied.Strata.TakeChoices(level.Strata);
-  copied.Strata.Sectors = level.Strata.Sectors;
-  copied.Strata.Vertices = copy(level.Strata.Vertices);
-  copied.Strata.Edges = copy(level.Strata.Edges);
-  copied.Strata.VertexRings.Offsets = copy(level.Strata.VertexRings.Offsets);
-  copied.Strata.VertexRings.Members = copy(level.Strata.VertexRings.Members);
-  copied.Strata.EdgeRings.Offsets = copy(level.Strata.EdgeRings.Offsets);
-  copied.Strata.EdgeRings.Members = copy(level.Strata.EdgeRings.Members);
+  Level<Id> copied = CopyForStencils(level);
   return TakeStencils(copied);
 }
 

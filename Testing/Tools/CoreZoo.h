@@ -8,6 +8,8 @@
 
 #include "CoreTools.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <numeric>
 #include <ostream>
@@ -70,6 +72,17 @@ Mesh FindInZoo(const std::string& name);
 std::vector<std::string> GetNamesOfZoo(unsigned int randoms);
 
 std::vector<Mesh> MakeZooAndRandom();
+
+/// A test of each mesh of the zoo and of the random ones.
+template <typename Test>
+void ForEachMesh(const Test& test)
+{
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    SCOPED_TRACE(mesh.Name);
+    test(mesh);
+  }
+}
 
 }
 

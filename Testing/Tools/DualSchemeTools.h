@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes for the tests of dual schemes, and what every dual step must keep.
+// Meshes for the tests of dual schemes.
 #ifndef DualSchemeTools_h
 #define DualSchemeTools_h
 
-#include "Core/Surfaces/Steps/SurfaceSchemes.h"
+#include "SurfaceTools.h"
+
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
 #include <memory>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace dualtools
@@ -21,8 +16,14 @@ namespace dualtools
 
 using Level = subdivision::SurfaceLevel<int>;
 using Mesh = subdivision::PolygonMesh<int>;
-using Faces = std::vector<std::vector<int>>;
-using Points = std::vector<std::array<double, 3>>;
+using Faces = surfacetools::Polygons;
+using Point = surfacetools::Point;
+using Points = std::vector<Point>;
+using Data = vtkSmartPointer<vtkPolyData>;
+using surfacetools::ExpectSameBits;
+using surfacetools::MakeLevel;
+using surfacetools::MakeRandomPoints;
+using surfacetools::RunFilter;
 
 struct Shape
 {
@@ -33,20 +34,11 @@ struct Shape
   bool Orientation; ///< all faces are oriented alike
 };
 
-Level MakeLevel(int vertices, const Faces& faces, const std::vector<int>& segments = {});
-
 Faces MakeQuads(int columns, int rows);
-
-Faces MakeTorus(int n);
-
-/// k triangles around vertex 0; open: k + 1 vertices around.
-Faces MakeFan(int k, bool open);
 
 Faces MakeMoebius(int n);
 
 std::vector<Shape> MakeShapes();
-
-Points MakePoints(int n, unsigned seed = 3);
 
 class Steps
 {
@@ -64,47 +56,21 @@ private:
   std::unique_ptr<subdivision::SurfaceSteps<int>> Values;
 };
 
-Faces GetFaces(const Mesh& mesh);
-
-/// A level is what its cells say, every edge has one or two faces, every face its own corners.
-void ExpectConforming(const Level& level);
-
-/// V - E + F without vertices that have no faces.
-int GetEuler(const Level& level);
-
 int CountOpenSides(const Level& level);
 
-/// Twins run in opposite directions wherever the faces are oriented alike.
-void ExpectOriented(const Level& level);
-
-/// Boundary points of a level, with those of a neighbour each: the boundary as segments.
-using Segment = std::array<std::array<double, 3>, 2>;
-std::vector<Segment> GetBoundary(const Level& level, const Points& points);
-
-inline bool IsNear(const std::array<double, 3>& a, const std::array<double, 3>& b)
+inline bool IsNear(const Point& a, const Point& b)
 {
   return std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) < 1e-13;
 }
 
-/// `fine` is Chaikin's boundary of `coarse`, whose half-edges follow one another.
-void ExpectChaikin(const std::vector<Segment>& coarse, const std::vector<Segment>& fine);
+Point GetCentre(const Mesh& mesh, int face, const Points& points);
 
-/// Rows sum to one, have no negative entries, and no column twice.
-void ExpectAverages(const subdivision::SparseRows<int>& rows);
+/// Of a mesh that the surface filter takes.
+Data MakeData(const Points& points, const Faces& faces, const Faces& lines = {},
+  const std::vector<vtkIdType>& vertices = {});
 
-std::array<double, 3> GetCentre(const Mesh& mesh, int face, const Points& points);
-
-/// What holds on every mesh and for both schemes.
-void ExpectDualSteps(subdivision::SurfaceSchemeKind kind, int levels);
-
-/// Twice `stepsOfOne` steps: each time the boundary is that of one step of Chaikin's.
-void ExpectChaikinBoundary(subdivision::SurfaceSchemeKind kind, int stepsOfOne);
-
-/// Inside a plane grid the points of the second step are odd multiples of 1 / scale, each once.
-void ExpectRegularGrid(subdivision::SurfaceSchemeKind kind, double scale, std::size_t count);
-
-/// Open and closed fans of 2,000 triangles.
-void ExpectLargeFans(subdivision::SurfaceSchemeKind kind, int levels);
+void AddIds(
+  vtkDataSetAttributes* data, const char* name, const std::vector<vtkIdType>& values, bool global);
 
 }
 

@@ -8,24 +8,37 @@ namespace feature_tools
 
 Grid Execute(vtkDataObject* input, int levels, const Configure& configure, Messages* messages)
 {
-  vtkNew<Messages> own;
   vtkNew<Filter> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputDataObject(input);
   filter->SetNumberOfLevels(levels);
   if (configure)
   {
     configure(filter);
   }
-  filter->Update();
-  for (const auto* list : { &own->Warnings, &own->Errors })
-  {
-    for (const std::string& text : *list)
-    {
-      ADD_FAILURE() << "unexpected: " << text;
-    }
-  }
+  UpdateInSilence(filter, input, messages);
   return filter->GetOutput();
+}
+
+Configure And(const Configure& a, const Configure& b)
+{
+  return [a, b](Filter* filter)
+  {
+    a(filter);
+    b(filter);
+  };
+}
+
+MatrixRow Blend(double weight, const MatrixRow& sharp, const MatrixRow& smooth)
+{
+  MatrixRow row;
+  for (const auto& entry : weight > 0. ? sharp : MatrixRow())
+  {
+    row[entry.first] += weight * entry.second;
+  }
+  for (const auto& entry : weight < 1. ? smooth : MatrixRow())
+  {
+    row[entry.first] += (1. - weight) * entry.second;
+  }
+  return row;
 }
 
 std::set<std::pair<vtkIdType, vtkIdType>> GetEdges(vtkUnstructuredGrid* grid)

@@ -27,7 +27,13 @@ using MatrixRow = std::map<vtkIdType, double>;
 Grid Execute(
   vtkDataObject* input, int levels, const Configure& configure = {}, Messages* messages = nullptr);
 
-inline void SetCellArray(Filter* filter, int index, const char* name)
+/// One after the other.
+Configure And(const Configure& a, const Configure& b);
+
+/// A row that goes by this weight to the sharp one.
+MatrixRow Blend(double weight, const MatrixRow& sharp, const MatrixRow& smooth);
+
+inline void SetCellArray(vtkAlgorithm* filter, int index, const char* name)
 {
   filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name);
 }

@@ -80,6 +80,9 @@ inline vtkSmartPointer<vtkPolyData> Probe(
   return Probe(mesh, targets, Plain());
 }
 
+/// 40 triangles of a grid, whose points are shifted in it.
+Grid MakeWavySurface(double shift, double height);
+
 /// The distance of each target to the nearest point of a mesh.
 std::vector<double> FindDistances(vtkPointSet* mesh, const std::vector<Point>& targets);
 

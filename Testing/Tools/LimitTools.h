@@ -103,6 +103,28 @@ private:
   std::string Options;
 };
 
+/// A test of each mesh with each choice of rules.
+template <typename Test>
+void ForEachMeshAndOptions(const Test& test)
+{
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      test(mesh, options);
+    }
+  }
+}
+
+inline void ExpectSameStart(const std::vector<double>& a, const std::vector<double>& b)
+{
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    ASSERT_NEAR(a[i], b[i], 1e-13) << "value " << i;
+  }
+}
+
 /// Values that nothing is hidden in.
 std::vector<double> MakeValues(vtkIdType size, unsigned int seed);
 

@@ -20,9 +20,11 @@
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -90,6 +92,10 @@ public:
   std::vector<std::string> Inversions;
 };
 
+/// Runs a filter. Without `messages` it may not say anything but warnings with one of these parts.
+void UpdateInSilence(vtkAlgorithm* filter, vtkDataObject* input, Messages* messages = nullptr,
+  const std::vector<const char*>& but = {});
+
 /// Runs a filter, which may warn but not fail, and copies its output.
 template <typename Output, typename FilterClass>
 vtkSmartPointer<Output> UpdateWithoutErrors(FilterClass* filter, vtkDataObject* input)
@@ -116,6 +122,30 @@ struct Options
 
 void Set(vtkMultiDimensionalSubdivision* filter, const Options& options);
 
+Grid LoadModel(int model, int precision = vtkAlgorithm::DEFAULT_PRECISION);
+
+/// A copy with points in double precision.
+template <typename Mesh = vtkUnstructuredGrid>
+vtkSmartPointer<Mesh> InDouble(vtkPointSet* mesh)
+{
+  const auto copy = vtkSmartPointer<Mesh>::New();
+  copy->DeepCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->DeepCopy(mesh->GetPoints());
+  copy->SetPoints(points);
+  return copy;
+}
+
+inline Point GetTuple(vtkDataSet* mesh, const char* name, vtkIdType i)
+{
+  Point p{};
+  mesh->GetPointData()->GetArray(name)->GetTuple(i, p.data());
+  return p;
+}
+
+void SetGlobalIds(vtkPointSet* mesh, const Ids& ids);
+
 /// Runs the filter. Without `messages` it may not say anything.
 Grid Subdivide(vtkDataObject* input, const Options& options, Messages* messages = nullptr);
 
@@ -130,9 +160,38 @@ std::string CompareValues(vtkAbstractArray* a, vtkAbstractArray* b);
 
 std::string CompareArrays(vtkFieldData* a, vtkFieldData* b, const std::string& where);
 
+/// The meshes of a data object: itself, or its blocks.
+std::vector<vtkSmartPointer<vtkPointSet>> GetMeshes(vtkDataObject* data);
+
 /// The first difference found, empty if there is none. Cells are compared by what they are, arrays
-/// by name.
-std::string Compare(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool withStamp = true);
+/// by name; blocks one after the other.
+std::string Compare(vtkDataObject* a, vtkDataObject* b, bool withStamp = true);
+
+/// What is made with one thread, and bit for bit with four.
+template <typename Make>
+auto MakeInThreads(const Make& make)
+{
+  const std::string before = vtkSMPTools::GetBackend();
+  EXPECT_TRUE(vtkSMPTools::SetBackend("STDThread"));
+  vtkSMPTools::Initialize(1);
+  const auto one = make();
+  vtkSMPTools::Initialize(4);
+  EXPECT_EQ(Compare(one, make()), "");
+  vtkSMPTools::SetBackend(before.c_str());
+  vtkSMPTools::Initialize(0);
+  return one;
+}
+
+template <typename Mesh = vtkSmartPointer<vtkPointSet>>
+vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Mesh>& meshes)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (const Mesh& mesh : meshes)
+  {
+    blocks->SetBlock(blocks->GetNumberOfBlocks(), mesh);
+  }
+  return blocks;
+}
 
 /// Gives `array` a name, components and values that differ.
 template <typename Array>

@@ -72,4 +72,14 @@ int Few::CountStored()
   return -1;
 }
 
+int CountHalvings(const RedGreen<int>& state, int vertex)
+{
+  if (vertex < state.GetNumberOfInputVertices())
+  {
+    return 0;
+  }
+  const auto ends = state.GetEnds(vertex);
+  return 1 + std::max(CountHalvings(state, ends[0]), CountHalvings(state, ends[1]));
+}
+
 }

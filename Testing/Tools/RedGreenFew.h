@@ -32,6 +32,9 @@ struct Few
 
 using Counts = std::vector<int>;
 
+/// How often edges were halved until there was a vertex.
+int CountHalvings(const RedGreen<int>& state, int vertex);
+
 }
 
 #endif

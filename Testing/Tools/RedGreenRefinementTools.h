@@ -27,6 +27,14 @@ using Configure = std::function<void(Filter*)>;
 /// say anything.
 Grid Refine(vtkDataObject* input, const Configure& configure, Messages* messages = nullptr);
 
+/// All edges are halved so many times.
+Grid HalveAll(
+  vtkDataObject* input, int levels, const Configure& configure = {}, Messages* messages = nullptr);
+
+/// The largest difference of points and of their array "V", cell by cell; infinite if cells differ.
+/// `sort`: whatever the order of the points of a cell.
+double GetDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool sort);
+
 Grid MakeGrid(const coretest::Mesh& mesh);
 
 /// A lattice of n^3 cubes of side 1, in 6 tetrahedra each.

@@ -31,6 +31,32 @@ void ExpectRow(const Weights& row, const Weights& expected, const std::string& w
   }
 }
 
+Weights Flatten(Weights row, int k, double s, double first, double last)
+{
+  for (auto& entry : row)
+  {
+    entry.second *= 1. - s;
+  }
+  row[0] += s * (1. - first - last);
+  row[1] += s * first;
+  row[1 + k] += s * last;
+  return row;
+}
+
+SurfaceFeatures GiveShape(
+  std::size_t points, const std::vector<int>& vertices, double angle, double flatness)
+{
+  SurfaceFeatures features;
+  features.Angles.assign(points, -1.);
+  features.Flatness.assign(points, -1.);
+  for (int vertex : vertices)
+  {
+    features.Angles[vertex] = angle;
+    features.Flatness[vertex] = flatness;
+  }
+  return features;
+}
+
 void ClassifyModel(const Model& model, const SurfaceScheme<int>& scheme, SurfaceFeatures features,
   SurfaceLevel<int>& level)
 {

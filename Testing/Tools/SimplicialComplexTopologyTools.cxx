@@ -6,23 +6,13 @@ namespace simplicial_complex_topology_tools
 
 Grid Probe(vtkDataObject* input, const Configure& setup, bool special, Messages* messages)
 {
-  vtkNew<Messages> own;
   vtkNew<vtkSimplicialComplexTopology> filter;
-  (messages ? messages : own.Get())->Watch(filter);
-  filter->SetInputDataObject(input);
   filter->SetSpecialOnly(special);
   if (setup)
   {
     setup(filter);
   }
-  filter->Update();
-  for (const auto* list : { &own->Warnings, &own->Errors })
-  {
-    for (const std::string& text : *list)
-    {
-      ADD_FAILURE() << "unexpected: " << text;
-    }
-  }
+  UpdateInSilence(filter, input, messages);
   return filter->GetOutput();
 }
 

@@ -191,6 +191,18 @@ void Walk::Step()
   this->Scheme->Prepare(this->Level);
 }
 
+std::vector<Point> GetNormals(vtkPolyData* output, std::size_t count)
+{
+  vtkDataArray* array = output->GetPointData()->GetArray("LimitNormals");
+  std::vector<Point> normals(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    array->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
+    EXPECT_NEAR(std::hypot(normals[i][0], normals[i][1], normals[i][2]), 1., 1e-12);
+  }
+  return normals;
+}
+
 std::vector<int> Walk::GetNeighbours(int vertex) const
 {
   std::vector<int> ends;
@@ -297,33 +309,6 @@ void CheckRows(const Walk& walk)
   }
 }
 
-void CheckLines(SurfaceSchemeKind kind, bool triangles, vtkIdType pieces)
-{
-  for (const char* name : { "crease", "free line" })
-  {
-    const Model model = MakeZoo(triangles)[name];
-    Walk walk(model, kind);
-    for (int step = 0; step < 4; ++step)
-    {
-      walk.Step();
-    }
-    const vtkIdType lines = static_cast<vtkIdType>(model.Lines.size());
-    ASSERT_EQ(walk.Level.Lines.size(), pieces * lines);
-    for (vtkIdType line = 0; line < lines; ++line)
-    {
-      vtkIdType at = model.Lines[line][0];
-      for (vtkIdType i = 0; i < pieces; ++i)
-      {
-        const int piece = walk.Level.Lines[pieces * line + i];
-        const int* ends = walk.Level.Mesh.EdgeVertices.data() + 2 * (piece / 2);
-        EXPECT_EQ(ends[piece % 2], at);
-        at = ends[1 - piece % 2];
-      }
-      EXPECT_EQ(at, model.Lines[line][1]);
-    }
-  }
-}
-
 vtkSmartPointer<vtkPolyData> MakeInput(const Model& model)
 {
   auto input = vtkSmartPointer<vtkPolyData>::New();
@@ -366,149 +351,6 @@ vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int level
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->ShallowCopy(filter->GetOutput());
   return output;
-}
-
-void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
-{
-  auto same = [](vtkDataArray* p, vtkDataArray* q)
-  {
-    SCOPED_TRACE(p->GetName() ? p->GetName() : "no name");
-    ASSERT_EQ(p->GetNumberOfValues(), q->GetNumberOfValues());
-    if (p->GetNumberOfValues() > 0) // without values there may be no pointers
-    {
-      EXPECT_EQ(0,
-        std::memcmp(p->GetVoidPointer(0), q->GetVoidPointer(0),
-          static_cast<std::size_t>(p->GetNumberOfValues()) * p->GetDataTypeSize()));
-    }
-  };
-  same(a->GetPoints()->GetData(), b->GetPoints()->GetData());
-  same(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
-  same(a->GetPolys()->GetOffsetsArray(), b->GetPolys()->GetOffsetsArray());
-  ASSERT_EQ(a->GetNumberOfLines(), b->GetNumberOfLines());
-  if (a->GetNumberOfLines() > 0)
-  {
-    same(a->GetLines()->GetConnectivityArray(), b->GetLines()->GetConnectivityArray());
-  }
-  ASSERT_EQ(a->GetPointData()->GetNumberOfArrays(), b->GetPointData()->GetNumberOfArrays());
-  for (int i = 0; i < a->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    same(a->GetPointData()->GetArray(i), b->GetPointData()->GetArray(i));
-  }
-}
-
-void CheckChaining(const Model& model, int scheme)
-{
-  const auto input = MakeInput(model);
-  const auto all = RunFilter(input, scheme, 4);
-  auto single = RunFilter(input, scheme, 1);
-  const auto rest = RunFilter(single, scheme, 3);
-  ExpectSameBits(rest, all);
-  for (int i = 1; i < 4; ++i)
-  {
-    single = RunFilter(single, scheme, 1);
-  }
-  ExpectSameBits(single, all);
-}
-
-void CheckChainingOfFlags(bool triangles, int scheme)
-{
-  Model grid = MakeSheet(6, 5, triangles, { 1., 0., 0. }, { 0., 1., 0. });
-  const std::vector<Point> noise = MakeRandomPoints(grid.Points.size(), 8);
-  for (std::size_t i = 0; i < noise.size(); ++i)
-  {
-    grid.Points[i][2] = noise[i][2];
-  }
-  grid.Lines = { { 8, 9 }, { 9, 10 } };
-  const auto input = MakeInput(grid);
-  vtkNew<vtkCellArray> vertices;
-  vertices->InsertNextCell({ 24 });
-  vertices->InsertNextCell({ 25 });
-  input->SetVerts(vertices);
-  vtkNew<vtkIntArray> flags;
-  flags->SetName("Singular");
-  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
-  {
-    flags->InsertNextValue(cell == 1 || cell == 2 || cell == 12 || cell == 13 || cell == 20);
-  }
-  input->GetCellData()->AddArray(flags);
-  auto run = [scheme](vtkPolyData* from, int levels)
-  {
-    vtkNew<vtkSurfaceSubdivision> filter;
-    filter->SetInputData(from);
-    filter->SetScheme(scheme);
-    filter->SetNumberOfLevels(levels);
-    filter->SetDetectFeatures(true);
-    filter->SetFeatureAngle(60.);
-    filter->Update();
-    auto output = vtkSmartPointer<vtkPolyData>::New();
-    output->ShallowCopy(filter->GetOutput());
-    return output;
-  };
-  const auto all = run(input, 3);
-  ExpectSameBits(run(run(run(input, 1), 1), 1), all);
-  input->GetCellData()->Initialize();
-  const auto without = run(input, 3);
-  EXPECT_NE(without->GetNumberOfPoints(), 0);
-  EXPECT_NE(0,
-    std::memcmp(without->GetPoints()->GetVoidPointer(0), all->GetPoints()->GetVoidPointer(0),
-      sizeof(double) * 3 *
-        static_cast<std::size_t>(
-          std::min(without->GetNumberOfPoints(), all->GetNumberOfPoints()))));
-}
-
-void CheckThreads(const Model& model, int scheme, int levels, bool limit)
-{
-  const auto input = MakeInput(model);
-  vtkSmartPointer<vtkPolyData> results[2];
-  for (int threads : { 1, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    results[threads > 1] = RunFilter(input, scheme, levels, limit);
-  }
-  vtkSMPTools::Initialize(0);
-  EXPECT_GT(results[0]->GetNumberOfPolys(), 20000);
-  ExpectSameBits(results[0], results[1]);
-}
-
-void CheckRandomFaces(SurfaceSchemeKind kind, bool triangles)
-{
-  std::mt19937 random(11);
-  std::uniform_int_distribution<vtkIdType> point(0, 11);
-  for (unsigned trial = 0; trial < 30; ++trial)
-  {
-    Model model;
-    model.Points = MakeRandomPoints(12, trial);
-    model.Lines = { { 0, 1 }, { 3, 9 } };
-    for (int i = 0; i < 20; ++i)
-    {
-      std::vector<vtkIdType> ids(triangles ? 3 : 3 + i % 3);
-      std::generate(ids.begin(), ids.end(), [&] { return point(random); });
-      if (std::set<vtkIdType>(ids.begin(), ids.end()).size() == ids.size())
-      {
-        model.Faces.push_back(ids);
-      }
-    }
-    Walk walk(model, kind);
-    const vtkIdType euler = GetEuler(walk.Level.Mesh);
-    for (int step = 0; step < 4; ++step)
-    {
-      CheckRows(walk);
-      walk.Step();
-      const PolygonMesh<int>& mesh = walk.Level.Mesh;
-      EXPECT_EQ(GetEuler(mesh), euler);
-      for (int c = 0; c < mesh.GetNumberOfCorners(); ++c)
-      {
-        const int twin = mesh.Twins[c];
-        ASSERT_TRUE(twin < 0 || (mesh.Twins[twin] == c && mesh.Edges[twin] == mesh.Edges[c]));
-      }
-      for (const Point& p : walk.Points)
-      {
-        EXPECT_LT(std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }), 2.);
-      }
-    }
-    const auto output = RunFilter(MakeInput(model), static_cast<int>(kind), 2);
-    EXPECT_GT(output->GetNumberOfPolys(), static_cast<vtkIdType>(2 * model.Faces.size()));
-  }
 }
 
 }

@@ -7,19 +7,15 @@
 #ifndef SurfaceTools_h
 #define SurfaceTools_h
 
+#include "MultiDimensionalSubdivisionTools.h"
+
 #include "vtkSurfaceSubdivision.h"
 
 #include "Core/Operators/RowBlock.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +63,7 @@ Buffer<int> ToBuffer(const T& values)
   return buffer;
 }
 
-SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Polygons& lines);
+SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Polygons& lines = {});
 
 /// A surface that is subdivided step by step.
 class Walk
@@ -99,9 +95,6 @@ void CheckIncidences(const SurfaceLevel<int>& level);
 /// Rows sum to 1, whatever the input is; a step commutes with affine maps.
 void CheckRows(const Walk& walk);
 
-/// After four steps the pieces of each line follow one another from its beginning to its end.
-void CheckLines(SurfaceSchemeKind kind, bool triangles, vtkIdType pieces);
-
 /// V - E + F, where free lines count as edges.
 inline vtkIdType GetEuler(const PolygonMesh<int>& mesh)
 {
@@ -113,21 +106,22 @@ inline vtkIdType GetEuler(const PolygonMesh<int>& mesh)
 
 vtkSmartPointer<vtkPolyData> MakeInput(const Model& model);
 
+inline vtkSmartPointer<vtkPolyData> MakeInput(
+  const std::vector<Point>& points, const Polygons& faces, const Polygons& lines = {})
+{
+  return MakeInput(Model{ points, faces, lines, {} });
+}
+
 vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int levels,
   bool limit = false, const std::function<void(vtkSurfaceSubdivision*)>& configure = nullptr);
 
-void ExpectSameBits(vtkPolyData* a, vtkPolyData* b);
+/// The first limit normals, of length 1.
+std::vector<Point> GetNormals(vtkPolyData* output, std::size_t count);
 
-/// One level after the other gives what several at once give, wherever the cut is.
-void CheckChaining(const Model& model, int scheme);
-
-/// The same with flags on vertices, lines and faces, and with edges that are sharp by their angle.
-void CheckChainingOfFlags(bool triangles, int scheme);
-
-void CheckThreads(const Model& model, int scheme, int levels, bool limit);
-
-/// Random faces on few points: edges of many faces, pinched vertices, equal faces, free lines.
-void CheckRandomFaces(SurfaceSchemeKind kind, bool triangles);
+inline void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
+{
+  EXPECT_EQ(multi_dimensional_subdivision_tools::Compare(a, b, false), "");
+}
 
 }
 

@@ -19,13 +19,10 @@ namespace tetoct_tools
 {
 
 using namespace coretest;
+using coretest::CopyStencils;
 
 template <typename Id>
-struct TetOctMesh
-{
-  TetOctLevel<Id> Level;
-  std::vector<CellRun> Runs;
-};
+using TetOctMesh = LevelOfCells<TetOctLevel<Id>>;
 
 template <typename Id>
 TetOctMesh<Id> BuildTetOct(const SimplexList& cells, const std::set<Tuple>& singular = {},
@@ -33,12 +30,6 @@ TetOctMesh<Id> BuildTetOct(const SimplexList& cells, const std::set<Tuple>& sing
 {
   Subdivided<Id> control = Build<Id>(cells, singular, options);
   return { MakeTetOctLevel(std::move(control.Level)), control.Runs };
-}
-
-template <typename Id>
-TetOctMesh<Id> RefineOnce(const TetOctMesh<Id>& parent, Depth depth = Depth::ForRefinement)
-{
-  return { Refine(parent.Level, depth), RefineRuns(parent.Runs, 1) };
 }
 
 template <typename Id>
@@ -56,26 +47,54 @@ TetOctMesh<Id> BuildTetOctAt(const Mesh& mesh, int steps)
 template <typename Id>
 Stencils<Id> CopyStencils(const TetOctLevel<Id>& level)
 {
-  auto copy = [](const auto& from)
-  {
-    std::decay_t<decltype(from)> to(from.size());
-    std::copy(from.begin(), from.end(), to.begin());
-    return to;
-  };
-  TetOctLevel<Id> copied;
-  copied.Complex.EdgeVertices = copy(level.Complex.EdgeVertices);
-  copied.OctVertices = copy(level.OctVertices);
-  copied.Strata.TakeChoices(level.Strata);
-  copied.Strata.Sectors = level.Strata.Sectors;
-  copied.Strata.Vertices = copy(level.Strata.Vertices);
-  copied.Strata.Edges = copy(level.Strata.Edges);
-  copied.Strata.VertexRings.Offsets = copy(level.Strata.VertexRings.Offsets);
-  copied.Strata.VertexRings.Members = copy(level.Strata.VertexRings.Members);
-  copied.Strata.EdgeRings.Offsets = copy(level.Strata.EdgeRings.Offsets);
-  copied.Strata.EdgeRings.Members = copy(level.Strata.EdgeRings.Members);
+  TetOctLevel<Id> copied = CopyForStencils(level);
+  copied.OctVertices = CopyBuffer(level.OctVertices);
   copied.TetsAtSpokes = level.TetsAtSpokes;
   copied.NumberOfControlVertices = level.NumberOfControlVertices;
   return TakeStencils(copied);
+}
+
+/// The schemes of typed tests.
+struct OfBoxSpline
+{
+  template <typename Id>
+  using Split = BoxSplineSplit<Id>;
+  template <typename Id = int>
+  static Subdivided<Id> Make(const Mesh& mesh, const StrataOptions& options = StrataOptions())
+  {
+    return Build<Id>(mesh.Cells, mesh.Singular, options);
+  }
+};
+struct OfTetOct
+{
+  template <typename Id>
+  using Split = TetOctSplit<Id>;
+  template <typename Id = int>
+  static TetOctMesh<Id> Make(const Mesh& mesh, const StrataOptions& options = StrataOptions())
+  {
+    return BuildTetOct<Id>(mesh.Cells, mesh.Singular, options);
+  }
+};
+
+/// Points of each level.
+template <typename Scheme, typename Id = int, typename T>
+std::vector<std::vector<T>> SubdividePoints(
+  const Mesh& mesh, const std::vector<T>& points, int components, int levels)
+{
+  auto level = Scheme::template Make<Id>(mesh);
+  std::vector<std::vector<T>> all = { points };
+  for (int step = 0; step < levels; ++step)
+  {
+    const Stencils<Id> stencils = CopyStencils(level.Level);
+    std::vector<T> next(stencils.GetNumberOfRows() * components);
+    stencils.Apply(all.back().data(), next.data(), components);
+    all.push_back(next);
+    if (step + 1 < levels)
+    {
+      level = RefineOnce(level, step + 2 < levels ? Depth::ForRefinement : Depth::ForOutput);
+    }
+  }
+  return all;
 }
 
 /// A tetrahedron of four vertices, or an octahedron of six, opposite ones side by side.

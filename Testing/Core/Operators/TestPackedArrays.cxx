@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arrays that are moved together get the same bits as each by itself.
+#include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/PackedArrays.h"
 #include "Core/Solids/Scheme/ChildRows.h"
-#include "CoreTools.h"
 #include "CoreZoo.h"
-#include "StoredValues.h"
 
 #include "vtkType.h"
 
@@ -13,14 +12,116 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <random>
+#include <type_traits>
+#include <vector>
 
 using namespace subdivision;
 using namespace coretest;
 
 namespace
 {
+
+std::size_t GetSize(int type)
+{
+  return type == VTK_DOUBLE || type == VTK_LONG_LONG ? 8 : type == VTK_FLOAT ? 4 : 1;
+}
+
+template <typename T>
+void Fill(std::vector<unsigned char>& bytes, std::mt19937& random, bool wild)
+{
+  for (std::size_t i = 0; i < bytes.size() / sizeof(T); ++i)
+  {
+    double value = std::uniform_real_distribution<double>(0., 200.)(random);
+    if (wild && std::is_floating_point<T>::value)
+    {
+      const unsigned int kind = random() % 40;
+      value = kind == 0 ? std::numeric_limits<double>::infinity()
+        : kind == 1     ? std::numeric_limits<double>::quiet_NaN()
+        : kind == 2     ? static_cast<double>(std::numeric_limits<T>::max())
+        : kind == 3     ? -0.
+                        : value;
+    }
+    const T stored = static_cast<T>(value);
+    std::memcpy(bytes.data() + i * sizeof(T), &stored, sizeof(T));
+  }
+}
+
+template <typename T>
+int CountDifferencesOf(const std::vector<unsigned char>& a, const std::vector<unsigned char>& b)
+{
+  int differences = 0;
+  for (std::size_t i = 0; i < a.size(); i += sizeof(T))
+  {
+    T values[2];
+    std::memcpy(values, a.data() + i, sizeof(T));
+    std::memcpy(values + 1, b.data() + i, sizeof(T));
+    const bool areNone = values[0] != values[0] && values[1] != values[1];
+    differences += !areNone && std::memcmp(values, values + 1, sizeof(T)) != 0 ? 1 : 0;
+  }
+  return differences;
+}
+
+/// Types are numbers of VTK: VTK_DOUBLE, VTK_FLOAT, VTK_LONG_LONG or VTK_UNSIGNED_CHAR.
+struct StoredValues
+{
+  int InType;
+  int OutType;
+  int Components;
+  vtkIdType Tuples;
+  std::vector<unsigned char> In;
+  std::vector<unsigned char> Out;
+
+  /// As ApplyToArrays takes it.
+  MovedArray GetArray()
+  {
+    return { this->In.data(), this->InType, this->Out.data(), this->OutType, this->Components,
+      this->Tuples };
+  }
+  /// Makes room for the values after an operator.
+  void Resize(vtkIdType rows);
+};
+
+void StoredValues::Resize(vtkIdType rows)
+{
+  this->Out.resize(static_cast<std::size_t>(rows * this->Components) * GetSize(this->OutType));
+}
+
+/// Random values. `wild`: some are not finite, very large, or -0.
+StoredValues MakeStoredValues(
+  int inType, int outType, int components, vtkIdType tuples, std::mt19937& random, bool wild)
+{
+  StoredValues values{ inType, outType, components, tuples, {}, {} };
+  values.In.resize(static_cast<std::size_t>(tuples * components) * GetSize(inType));
+  switch (inType)
+  {
+    case VTK_DOUBLE:
+      Fill<double>(values.In, random, wild);
+      break;
+    case VTK_FLOAT:
+      Fill<float>(values.In, random, wild);
+      break;
+    case VTK_LONG_LONG:
+      Fill<long long>(values.In, random, wild);
+      break;
+    default:
+      Fill<unsigned char>(values.In, random, wild);
+  }
+  return values;
+}
+
+/// The number of values after the operator that differ. Which of two bit patterns says "not a
+/// number" is left to the processor.
+int CountDifferences(const StoredValues& a, const StoredValues& b)
+{
+  const auto count = a.OutType == VTK_DOUBLE ? CountDifferencesOf<double>
+    : a.OutType == VTK_FLOAT                 ? CountDifferencesOf<float>
+                                             : CountDifferencesOf<unsigned char>;
+  return count(a.Out, b.Out);
+}
 
 /// Applies an operator to many arrays together and one by one.
 void Check(const PointOperator& operation, const std::string& name, bool wild)

@@ -3,6 +3,8 @@
  * @file TestShadingNormals.cxx
  * Normals of points without tangent plane: unit vectors that do not depend on the order of calls.
  */
+#include "PointTools.h"
+
 #include "Core/Operators/ShadingNormals.h"
 
 #include <gtest/gtest.h>
@@ -14,17 +16,13 @@
 #include <vector>
 
 using namespace subdivision;
+using namespace point_tools;
 
 namespace
 {
 
 using Vector = std::array<double, 3>;
 using Corner = std::array<int, 2>;
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 /// The normal of the origin, from triangles to two of the points each and from lines to points.
 Vector Find(const std::vector<Vector>& points, const std::vector<Corner>& corners,

@@ -381,29 +381,22 @@ TEST(AdaptiveSurface, StopsAtItsLimitsAndSaysSo)
 TEST(AdaptiveSurface, SameBitsForAnyNumberOfThreads)
 {
   const PolyData input = MakeHill(30);
-  PolyData results[2];
-  for (int threads : { 1, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    results[threads > 1] = Refine(input,
-      [](Filter* filter)
-      {
-        filter->RefineByGeometricErrorOn();
-        filter->SetGeometricTolerance(2e-5);
-        filter->RefineByAttributeErrorOn();
-        filter->SetAttributeTolerance(0.01);
-        filter->SetMaximumLevel(12);
-      });
-  }
-  vtkSMPTools::Initialize(0);
-  EXPECT_GT(results[0]->GetNumberOfPolys(), 20000);
-  EXPECT_EQ(results[0]->GetPointData()->GetAbstractArray("Name")->GetNumberOfTuples(),
-    results[0]->GetNumberOfPoints());
-  for (PolyData& result : results)
-  {
-    result->GetPointData()->RemoveArray("Name");
-  }
-  ExpectSameBits(results[0], results[1]);
+  const PolyData result = multi_dimensional_subdivision_tools::MakeInThreads(
+    [&]
+    {
+      return Refine(input,
+        [](Filter* filter)
+        {
+          filter->RefineByGeometricErrorOn();
+          filter->SetGeometricTolerance(2e-5);
+          filter->RefineByAttributeErrorOn();
+          filter->SetAttributeTolerance(0.01);
+          filter->SetMaximumLevel(12);
+        });
+    });
+  EXPECT_GT(result->GetNumberOfPolys(), 20000);
+  EXPECT_EQ(result->GetPointData()->GetAbstractArray("Name")->GetNumberOfTuples(),
+    result->GetNumberOfPoints());
 }
 
 TEST(AdaptiveSurface, BadInputIsToldOrTaken)

@@ -87,18 +87,6 @@ void WriteZeros(vtkPointSet* output, const std::vector<Mesh>& inputs, std::size_
   }
 }
 
-void ExpectSame(vtkPointSet* a, vtkPointSet* b, const std::string& what)
-{
-  const auto some = GetArrays(a);
-  const auto others = GetArrays(b);
-  ASSERT_EQ(some.size(), others.size()) << what;
-  for (std::size_t i = 0; i < some.size(); ++i)
-  {
-    ASSERT_EQ(CompareValues(some[i], others[i]), "")
-      << what << ", array " << i << " " << (some[i]->GetName() ? some[i]->GetName() : "");
-  }
-}
-
 vtkPointSet* Run(vtkAlgorithm* filter, const std::vector<Mesh>& inputs)
 {
   for (std::size_t port = 0; port < inputs.size(); ++port)
@@ -141,12 +129,8 @@ void CheckThatEditsDoNotCount(
       vtkPointSet* output = Run(filter, inputs);
       const Algorithm fresh = make();
       choose(fresh, turn);
-      ExpectSame(output, Run(fresh, inputs),
-        what + ", array " + std::to_string(which) + ", turn " + std::to_string(turn));
-      if (testing::Test::HasFatalFailure())
-      {
-        return;
-      }
+      ASSERT_EQ(Compare(output, Run(fresh, inputs)), "")
+        << what << ", array " << which << ", turn " << turn;
     }
   }
 }
@@ -217,6 +201,7 @@ TEST(EditedOutputs, OfOtherFilters)
     []
     {
       auto filter = vtkSmartPointer<Filter>::New();
+      filter->SetVolumeSchemeToLinear();
       filter->KeepCellTypesOn();
       return filter;
     });

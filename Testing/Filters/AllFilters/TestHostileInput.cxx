@@ -22,17 +22,6 @@ Grid MakeTwistedWedge()
       { VTK_TRIANGLE, { 1, 2, 5 } }, { VTK_TRIANGLE, { 2, 0, 3 } } });
 }
 
-void SetGlobalIds(vtkUnstructuredGrid* grid, const std::vector<int>& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName("ids");
-  for (int id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  grid->GetPointData()->SetGlobalIds(array);
-}
-
 bool IsFinite(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)

@@ -147,17 +147,7 @@ vtkSmartPointer<Mesh> CopyByHand(vtkDataSet* data)
 vtkSmartPointer<vtkDataObject> RunAlone(
   vtkAlgorithm* filter, vtkDataObject* input, Messages* heard = nullptr)
 {
-  vtkNew<Messages> own;
-  (heard ? heard : own.Get())->Watch(filter);
-  filter->SetInputDataObject(0, input);
-  filter->Update();
-  for (const auto* list : { &own->Warnings, &own->Errors })
-  {
-    for (const std::string& text : *list)
-    {
-      ADD_FAILURE() << "unexpected: " << text;
-    }
-  }
+  UpdateInSilence(filter, input, heard);
   return filter->GetOutputDataObject(0);
 }
 
@@ -165,35 +155,13 @@ std::string CompareAny(vtkDataObject* a, vtkDataObject* b)
 {
   auto* x = vtkPointSet::SafeDownCast(a);
   auto* y = vtkPointSet::SafeDownCast(b);
-  if (!x || !y || std::string(x->GetClassName()) != y->GetClassName())
-  {
-    return "class";
-  }
   for (vtkPointSet* mesh : { x, y })
   {
     mesh->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     mesh->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
     mesh->GetCellData()->RemoveArray("vtkOriginalCellIds"); // which count hidden cells
   }
-  if (x->GetNumberOfCells() == 0 || x->GetNumberOfCells() != y->GetNumberOfCells())
-  {
-    return "number of cells";
-  }
-  for (vtkIdType c = 0; c < x->GetNumberOfCells(); ++c)
-  {
-    vtkNew<vtkIdList> ids;
-    vtkNew<vtkIdList> others;
-    x->GetCellPoints(c, ids);
-    y->GetCellPoints(c, others);
-    if (x->GetCellType(c) != y->GetCellType(c) ||
-      !std::equal(ids->begin(), ids->end(), others->begin(), others->end()))
-    {
-      return "cell " + std::to_string(c);
-    }
-  }
-  const std::string points = ComparePoints(x, y);
-  const std::string ofPoints = CompareArrays(x->GetPointData(), y->GetPointData(), "points");
-  return points + ofPoints + CompareArrays(x->GetCellData(), y->GetCellData(), "cells");
+  return x->GetNumberOfCells() == 0 ? "no cells" : Compare(x, y, false);
 }
 
 vtkSmartPointer<vtkAlgorithm> MakeFilter(int which)

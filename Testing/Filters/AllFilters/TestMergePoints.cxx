@@ -34,17 +34,6 @@ void AddValues(vtkPointSet* grid)
   grid->GetPointData()->AddArray(values);
 }
 
-void SetGlobalIds(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName("ids");
-  for (const vtkIdType id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  grid->GetPointData()->SetGlobalIds(array);
-}
-
 /// A tetrahedron, and cells on its faces that have points of their own: 0 = 4, 1 = 5, 2 = 6 = 8.
 const std::vector<Point> Touching = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
   { -0., 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, -1 }, { 0, 1, 0 }, { 2, 2, 2 } };

@@ -19,17 +19,6 @@ using namespace multi_dimensional_subdivision_tools;
 namespace
 {
 
-void SetIds(vtkPointSet* mesh, const Ids& ids)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName("ids");
-  for (const vtkIdType id : ids)
-  {
-    array->InsertNextValue(id);
-  }
-  mesh->GetPointData()->SetGlobalIds(array);
-}
-
 constexpr vtkIdType Width = 6; ///< points of a row
 
 /// Three rows of points, and two rows of quads on them. `isApart`: each row of quads has points of
@@ -60,7 +49,7 @@ Grid MakeRows(bool isApart, bool hasIds)
     }
   }
   const Grid grid = MakeGrid(points, cells);
-  hasIds ? SetIds(grid, ids) : void();
+  hasIds ? SetGlobalIds(grid, ids) : void();
   return grid;
 }
 
@@ -82,7 +71,7 @@ vtkSmartPointer<vtkPolyData> MakeCreases(const std::vector<Ids>& lines, bool has
   }
   creases->SetPoints(points);
   creases->SetLines(cells);
-  hasIds ? SetIds(creases, ids) : void();
+  hasIds ? SetGlobalIds(creases, ids) : void();
   return creases;
 }
 

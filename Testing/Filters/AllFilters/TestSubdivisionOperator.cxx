@@ -57,24 +57,9 @@ std::vector<double> GetValues(vtkDataArray* array)
   return values;
 }
 
-template <typename Mesh>
-vtkSmartPointer<Mesh> InDouble(vtkPointSet* mesh)
-{
-  const auto copy = vtkSmartPointer<Mesh>::New();
-  copy->DeepCopy(mesh);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->DeepCopy(mesh->GetPoints());
-  copy->SetPoints(points);
-  return copy;
-}
-
 Grid MakeModel(int model)
 {
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  return InDouble<vtkUnstructuredGrid>(source->GetOutput());
+  return InDouble(LoadModel(model));
 }
 
 /// Compares the matrices of a filter with what it makes of its input. `rounds`: the factors do,

@@ -97,38 +97,6 @@ const std::vector<Worker>& GetWorkers()
   return workers;
 }
 
-std::vector<vtkCellArray*> ListCells(vtkDataObject* mesh)
-{
-  if (auto* surface = vtkPolyData::SafeDownCast(mesh))
-  {
-    return { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() };
-  }
-  return { vtkUnstructuredGrid::SafeDownCast(mesh)->GetCells() };
-}
-
-/// The first difference; empty: there is none.
-std::string FindDifference(vtkDataObject* first, vtkDataObject* second)
-{
-  auto* a = vtkPointSet::SafeDownCast(first);
-  auto* b = vtkPointSet::SafeDownCast(second);
-  if (a->GetNumberOfPoints() != b->GetNumberOfPoints() ||
-    a->GetNumberOfCells() != b->GetNumberOfCells())
-  {
-    return "numbers of points or cells";
-  }
-  std::string found = CompareValues(a->GetPoints()->GetData(), b->GetPoints()->GetData());
-  const auto cells = ListCells(a);
-  const auto others = ListCells(b);
-  for (std::size_t i = 0; i < cells.size() && found.empty(); ++i)
-  {
-    found = CompareValues(cells[i]->GetConnectivityArray(), others[i]->GetConnectivityArray()) +
-      CompareValues(cells[i]->GetOffsetsArray(), others[i]->GetOffsetsArray());
-  }
-  return found + CompareArrays(a->GetPointData(), b->GetPointData(), "points") +
-    CompareArrays(a->GetCellData(), b->GetCellData(), "cells") +
-    CompareArrays(a->GetFieldData(), b->GetFieldData(), "fields");
-}
-
 /// A new filter in each second run, the one before with what it kept in the others. Returns the
 /// first difference from `expected`.
 std::string RunOften(const Maker& make, vtkDataObject* expected, std::atomic<int>& arrived)
@@ -148,7 +116,7 @@ std::string RunOften(const Maker& make, vtkDataObject* expected, std::atomic<int
     }
     filter->Modified();
     filter->Update();
-    found = FindDifference(filter->GetOutputDataObject(0), expected);
+    found = Compare(filter->GetOutputDataObject(0), expected);
   }
   return found;
 }

@@ -101,12 +101,7 @@ vtkIdType ExpectWhole(
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeModel(int model)
 {
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  const auto mesh = Grid::New();
-  mesh->DeepCopy(source->GetOutput());
-  std::vector<int> values(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  const Grid mesh = LoadModel(model);
   vtkNew<vtkIntArray> numbers; // no mean can be taken of these
   numbers->SetName("Number");
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
@@ -329,13 +324,6 @@ TEST(BezierRounds, MaximumNumberOfCellsCountsBezierCells)
 TEST(BezierRounds, DoNotDependOnThreads)
 {
   const Grid input = MakeModel(vtkSubdivisionModelSource::SCREW);
-  const auto make = [&](int threads)
-  {
-    vtkSMPTools::Initialize(threads);
-    return MakeBezier(input, 2, [](Filter* filter) { filter->SetBezierTolerance(1e-3); });
-  };
-  const Grid one = make(1);
-  const Grid four = make(4);
-  vtkSMPTools::Initialize(0);
-  EXPECT_EQ(Compare(one, four), "");
+  MakeInThreads(
+    [&] { return MakeBezier(input, 2, [](Filter* filter) { filter->SetBezierTolerance(1e-3); }); });
 }

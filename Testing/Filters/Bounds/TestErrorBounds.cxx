@@ -19,10 +19,7 @@ namespace
 
 Grid MakeModel(int model)
 {
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  return WithValues(source->GetOutput());
+  return WithValues(LoadModel(model));
 }
 
 /// A closed surface of `n` times two triangles, with vertices of valence 4 and n.

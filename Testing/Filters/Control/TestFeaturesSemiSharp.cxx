@@ -29,20 +29,6 @@ Grid MakeSharpFan(double a, double b)
   return fan;
 }
 
-MatrixRow Blend(double weight, const MatrixRow& sharp, const MatrixRow& smooth)
-{
-  MatrixRow row;
-  for (const auto& entry : weight > 0. ? sharp : MatrixRow())
-  {
-    row[entry.first] += weight * entry.second;
-  }
-  for (const auto& entry : weight < 1. ? smooth : MatrixRow())
-  {
-    row[entry.first] += (1. - weight) * entry.second;
-  }
-  return row;
-}
-
 const MatrixRow SmoothVertex = SurfaceVertex(0, { 1, 2, 3, 4, 5, 6 });
 
 std::vector<double> GetSharpnessOfLines(vtkUnstructuredGrid* grid)

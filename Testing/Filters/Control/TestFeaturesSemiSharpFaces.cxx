@@ -53,20 +53,6 @@ Grid MakeSharpOctahedron(
   return grid;
 }
 
-MatrixRow Blend(double weight, const MatrixRow& sharp, const MatrixRow& smooth)
-{
-  MatrixRow row;
-  for (const auto& entry : sharp)
-  {
-    row[entry.first] += weight * entry.second;
-  }
-  for (const auto& entry : weight < 1. ? smooth : MatrixRow())
-  {
-    row[entry.first] += (1. - weight) * entry.second;
-  }
-  return row;
-}
-
 const MatrixRow SharpVertex = SurfaceVertex(0, { 1, 2, 3, 4 });
 
 void ExpectSamePoints(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, double tolerance)

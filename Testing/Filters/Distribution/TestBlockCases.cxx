@@ -7,8 +7,6 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkDataObjectTree.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
@@ -56,28 +54,6 @@ Grid MakeFan(int first, int count, double value)
 
 using Blocks = vtkSmartPointer<vtkMultiBlockDataSet>;
 
-Blocks MakeBlocks(const std::vector<Grid>& grids)
-{
-  auto blocks = Blocks::New();
-  for (const Grid& grid : grids)
-  {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
-  }
-  return blocks;
-}
-
-std::vector<vtkUnstructuredGrid*> GetLeaves(vtkDataObject* data)
-{
-  std::vector<vtkUnstructuredGrid*> leaves;
-  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(
-    vtkDataObjectTree::SafeDownCast(data)->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    leaves.push_back(vtkUnstructuredGrid::SafeDownCast(iterator->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
 template <typename FilterClass>
 std::vector<Grid> RunOn(FilterClass* filter, vtkDataObject* input, Messages* messages)
 {
@@ -86,7 +62,7 @@ std::vector<Grid> RunOn(FilterClass* filter, vtkDataObject* input, Messages* mes
   filter->Update();
   EXPECT_TRUE(messages->Errors.empty());
   std::vector<Grid> outputs;
-  for (vtkUnstructuredGrid* leaf : GetLeaves(filter->GetOutputDataObject(0)))
+  for (const auto& leaf : GetMeshes(filter->GetOutputDataObject(0)))
   {
     const auto copy = Grid::New();
     copy->DeepCopy(leaf);

@@ -7,8 +7,6 @@
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -42,50 +40,11 @@ Grid MakeBox(int n)
   return box;
 }
 
-vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Mesh>& meshes)
-{
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (const Mesh& mesh : meshes)
-  {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), mesh);
-  }
-  return blocks;
-}
-
-std::vector<Mesh> GetLeaves(vtkDataObject* data)
-{
-  std::vector<Mesh> leaves;
-  auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  if (!tree)
-  {
-    ADD_FAILURE() << "no composite data set";
-    return leaves;
-  }
-  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    leaves.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
-  }
-  return leaves;
-}
-
 template <typename Filter>
 vtkSmartPointer<vtkDataObject> RunFilterOn(Filter* filter, vtkDataObject* input)
 {
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  filter->SetInputDataObject(input);
-  filter->Update();
-  EXPECT_TRUE(messages->Errors.empty());
-  for (const std::string& warning : messages->Warnings)
-  {
-    if (warning.find("rest mesh") == std::string::npos) // of the deformed box
-    {
-      ADD_FAILURE() << warning;
-    }
-  }
-  vtkSmartPointer<vtkDataObject> output = filter->GetOutputDataObject(0);
-  return output;
+  UpdateInSilence(filter, input, nullptr, { "rest mesh" }); // of the deformed box
+  return filter->GetOutputDataObject(0);
 }
 
 /// The blocks of a mesh give what the whole gives, by a filter that `make` makes.
@@ -95,7 +54,7 @@ void ExpectBlocksAreWhole(vtkPointSet* mesh, const Make& make)
   const std::vector<Mesh> cut = Cut(mesh, CutByChance(mesh, 4, 5), 4, KnownBy::GlobalIds);
   const auto whole = RunFilterOn(make().Get(), mesh);
   const auto parts = RunFilterOn(make().Get(), MakeBlocks(cut));
-  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(parts));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetMeshes(parts));
 }
 
 vtkSmartPointer<vtkMultiDimensionalSubdivision> MakeUniform(int levels)
@@ -216,7 +175,7 @@ TEST(Blocks, FiltersInARowAreOne)
   {
     blocks = RunFilterOn(MakeUniform(1).Get(), blocks);
   }
-  ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(blocks));
+  ExpectWhole(vtkPointSet::SafeDownCast(once), GetMeshes(blocks));
 }
 
 TEST(Blocks, OneThatIsTheWholeOutputGoesOn)
@@ -230,7 +189,7 @@ TEST(Blocks, OneThatIsTheWholeOutputGoesOn)
   filter->SetInputDataObject(MakeBlocks({ vtkPointSet::SafeDownCast(first) }));
   filter->Update();
   EXPECT_TRUE(messages->Warnings.empty());
-  ExpectWhole(vtkPointSet::SafeDownCast(once), GetLeaves(filter->GetOutputDataObject(0)));
+  ExpectWhole(vtkPointSet::SafeDownCast(once), GetMeshes(filter->GetOutputDataObject(0)));
 }
 
 TEST(Blocks, ThatDoNotGoOnAreSaid)
@@ -238,10 +197,10 @@ TEST(Blocks, ThatDoNotGoOnAreSaid)
   // One of two blocks of an earlier output, and blocks that were subdivided each by itself.
   const Grid box = MakeBox(2);
   const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 2), 2, KnownBy::GlobalIds);
-  const std::vector<Mesh> together = GetLeaves(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> together = GetMeshes(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
   auto alone = MakeUniform(1);
   alone->JoinBlocksOff();
-  const std::vector<Mesh> apart = GetLeaves(RunFilterOn(alone.Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> apart = GetMeshes(RunFilterOn(alone.Get(), MakeBlocks(cut)));
   for (const std::vector<Mesh>& meshes : { std::vector<Mesh>{ together[1] }, apart })
   {
     auto filter = MakeUniform(1);
@@ -285,7 +244,7 @@ TEST(Blocks, StructureNamesAndFieldDataAreKept)
   EXPECT_STREQ("rock", innerOutput->GetMetaData(2u)->Get(vtkCompositeDataSet::NAME()));
   EXPECT_TRUE(innerOutput->GetBlock(2)->GetFieldData()->HasArray("Time"));
   EXPECT_FALSE(innerOutput->GetBlock(0)->GetFieldData()->HasArray("Time"));
-  EXPECT_EQ(3u, GetLeaves(all).size());
+  EXPECT_EQ(3u, GetMeshes(all).size());
 }
 
 TEST(Blocks, OfPartitionedCollections)
@@ -303,7 +262,7 @@ TEST(Blocks, OfPartitionedCollections)
   const auto whole = RunFilterOn(MakeUniform(1).Get(), box);
   const auto output = RunFilterOn(MakeUniform(1).Get(), all);
   EXPECT_TRUE(vtkPartitionedDataSetCollection::SafeDownCast(output));
-  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(output));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetMeshes(output));
 }
 
 TEST(Blocks, KeepArraysThatOthersDoNotHave)
@@ -318,7 +277,7 @@ TEST(Blocks, KeepArraysThatOthersDoNotHave)
     MakeArray<vtkDoubleArray>("Both", 1, cut[0]->GetNumberOfCells(), 0., 1., 1));
   cut[1]->GetCellData()->AddArray(
     MakeArray<vtkIntArray>("Both", 1, cut[1]->GetNumberOfCells(), 0., 9., 1));
-  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(MakeUniform(2).Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> leaves = GetMeshes(RunFilterOn(MakeUniform(2).Get(), MakeBlocks(cut)));
   ASSERT_EQ(2u, leaves.size());
   vtkDataArray* only = leaves[0]->GetPointData()->GetArray("Only");
   ASSERT_TRUE(only);
@@ -341,7 +300,7 @@ TEST(Blocks, AreMaterials)
   const std::vector<Mesh> cut = Cut(box, slabs, 2, KnownBy::GlobalIds);
   auto filter = MakeUniform(2);
   filter->PreserveInterfacesOn();
-  const std::vector<Mesh> parts = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> parts = GetMeshes(RunFilterOn(filter.Get(), MakeBlocks(cut)));
   vtkNew<vtkIntArray> materials;
   materials->SetName("MaterialId");
   for (const int slab : slabs)
@@ -362,7 +321,7 @@ TEST(Blocks, OriginalIdsCountInTheBlock)
   const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 2), 2, KnownBy::GlobalIds);
   auto filter = MakeUniform(1);
   filter->GenerateOriginalIdsOn();
-  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> leaves = GetMeshes(RunFilterOn(filter.Get(), MakeBlocks(cut)));
   for (size_t b = 0; b < 2; ++b)
   {
     vtkDataArray* cells = leaves[b]->GetCellData()->GetArray("vtkOriginalCellIds");
@@ -400,7 +359,7 @@ TEST(Blocks, GhostCellsAreLeftOut)
   }
   const Grid ids = DeepCopy(box);
   AddGlobalIds(ids, 3);
-  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> leaves = GetMeshes(RunFilterOn(MakeUniform(1).Get(), MakeBlocks(cut)));
   vtkIdType cells = 0;
   for (const Mesh& leaf : leaves)
   {
@@ -423,7 +382,7 @@ TEST(Blocks, DoubledPointsStayApartAndAreSaid)
   filter->SetInputDataObject(MakeBlocks({ first, second }));
   filter->Update();
   EXPECT_EQ(1, messages->CountWarnings("several points with the same"));
-  EXPECT_EQ(2u, GetLeaves(filter->GetOutputDataObject(0)).size());
+  EXPECT_EQ(2u, GetMeshes(filter->GetOutputDataObject(0)).size());
 }
 
 TEST(Blocks, OfOtherTypesAreSaid)
@@ -437,7 +396,7 @@ TEST(Blocks, OfOtherTypesAreSaid)
   filter->SetInputDataObject(blocks);
   filter->Update();
   EXPECT_EQ(1, messages->CountWarnings("is a vtkTable"));
-  const std::vector<Mesh> leaves = GetLeaves(filter->GetOutputDataObject(0));
+  const std::vector<Mesh> leaves = GetMeshes(filter->GetOutputDataObject(0));
   ASSERT_EQ(2u, leaves.size());
   EXPECT_EQ(0, leaves[0]->GetNumberOfCells());
   EXPECT_LT(0, leaves[1]->GetNumberOfCells());
@@ -468,7 +427,7 @@ TEST(Blocks, AreOneControlMeshOfADeformation)
   const std::vector<Mesh> parts = Cut(inner, CutInSlabs(inner, 2), 2, KnownBy::Coordinates);
   const auto blocks = deform(MakeBlocks(Cut(cage, chance, 3, KnownBy::GlobalIds)),
     MakeBlocks(Cut(moved, chance, 3, KnownBy::GlobalIds)), MakeBlocks(parts));
-  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(blocks));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetMeshes(blocks));
 }
 
 TEST(Blocks, HaveTheSimplicesOfTheirFirstCells)
@@ -478,7 +437,7 @@ TEST(Blocks, HaveTheSimplicesOfTheirFirstCells)
     MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 1, 3, 2 } } });
   vtkNew<vtkSimplicialComplexTopology> filter;
   const std::vector<Mesh> leaves =
-    GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(Cut(both, { 0, 1 }, 2, KnownBy::GlobalIds))));
+    GetMeshes(RunFilterOn(filter.Get(), MakeBlocks(Cut(both, { 0, 1 }, 2, KnownBy::GlobalIds))));
   ASSERT_EQ(2u, leaves.size());
   EXPECT_EQ(7, leaves[0]->GetNumberOfCells()); // with the edge and vertices between the blocks
   EXPECT_EQ(4, leaves[1]->GetNumberOfCells());
@@ -492,7 +451,7 @@ TEST(Blocks, AreOneComplex)
   const auto output = RunFilterOn(serial.Get(), box);
   auto* whole = vtkPointSet::SafeDownCast(output);
   vtkNew<vtkSimplicialComplexTopology> filter;
-  const std::vector<Mesh> leaves = GetLeaves(RunFilterOn(filter.Get(), MakeBlocks(cut)));
+  const std::vector<Mesh> leaves = GetMeshes(RunFilterOn(filter.Get(), MakeBlocks(cut)));
   // Each simplex is there once, with the same facts: told by the sums of their numbers.
   vtkIdType cells = 0;
   for (const char* name : { "Boundary", "NonManifoldType", "Valence", "ManifoldDimensions" })
@@ -575,5 +534,5 @@ TEST(Blocks, ASelectionInABlockIsFoundInTheWhole)
   const auto whole = RefineSelected(box, ofWhole, 0);
   const auto parts = RefineSelected(MakeBlocks(cut), { 0, 1, 2, 3, 4 }, 2);
   EXPECT_LT(box->GetNumberOfCells(), vtkPointSet::SafeDownCast(whole)->GetNumberOfCells());
-  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetLeaves(parts));
+  ExpectWhole(vtkPointSet::SafeDownCast(whole), GetMeshes(parts));
 }

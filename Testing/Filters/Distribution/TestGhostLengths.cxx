@@ -6,8 +6,6 @@
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkDataObjectTree.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPolyData.h"
@@ -82,24 +80,8 @@ vtkSmartPointer<Composite> MakeComposite(const std::vector<Mesh>& meshes)
 vtkSmartPointer<vtkDataObject> RunFilterOn(vtkDataObject* input)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
-  vtkNew<Messages> messages;
-  messages->Watch(filter);
-  filter->SetInputDataObject(input);
-  filter->Update();
-  EXPECT_TRUE(messages->Errors.empty());
+  UpdateInSilence(filter, input);
   return filter->GetOutputDataObject(0);
-}
-
-std::vector<Mesh> GetLeaves(vtkDataObject* data)
-{
-  std::vector<Mesh> leaves;
-  auto* tree = vtkDataObjectTree::SafeDownCast(data);
-  const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(tree->NewIterator());
-  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-  {
-    leaves.push_back(vtkPointSet::SafeDownCast(iterator->GetCurrentDataObject()));
-  }
-  return leaves;
 }
 
 /// What the filter makes of the meshes as blocks of both kinds of composite data sets is `whole`.
@@ -107,8 +89,8 @@ void ExpectBlocksAre(vtkDataObject* whole, const std::vector<Mesh>& meshes)
 {
   auto* expected = vtkPointSet::SafeDownCast(whole);
   ASSERT_TRUE(expected);
-  ExpectWhole(expected, GetLeaves(RunFilterOn(MakeComposite<vtkMultiBlockDataSet>(meshes))));
-  ExpectWhole(expected, GetLeaves(RunFilterOn(MakeComposite<vtkPartitionedDataSet>(meshes))));
+  ExpectWhole(expected, GetMeshes(RunFilterOn(MakeComposite<vtkMultiBlockDataSet>(meshes))));
+  ExpectWhole(expected, GetMeshes(RunFilterOn(MakeComposite<vtkPartitionedDataSet>(meshes))));
 }
 
 subdivision::SurfaceOptions MakeSurfaceOptions()

@@ -35,19 +35,13 @@
 namespace
 {
 
+using multi_dimensional_subdivision_tools::Compare;
+using multi_dimensional_subdivision_tools::LoadModel;
 using multi_dimensional_subdivision_tools::Messages;
 using Simplex = std::vector<vtkIdType>; // sorted
 using Vector = std::array<double, 3>;
 
 constexpr double Tolerance = 1e-3; // closer than this counts as touching
-
-vtkSmartPointer<vtkUnstructuredGrid> Make(int model)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  return source->GetOutput();
-}
 
 /// The model as plain numbers, and the geometry that the checks need.
 struct Complex
@@ -217,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(Models, SubdivisionModelSource,
 
 TEST_P(SubdivisionModelSource, HasThePromisedParts)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = LoadModel(GetParam());
   std::map<int, int> count;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
@@ -265,7 +259,7 @@ TEST_P(SubdivisionModelSource, HasThePromisedParts)
 
 TEST_P(SubdivisionModelSource, IsAValidComplex)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = LoadModel(GetParam());
   const Complex complex(grid);
   std::set<Simplex> cells;
   std::map<Simplex, int> tetsOfFace;
@@ -305,7 +299,7 @@ TEST_P(SubdivisionModelSource, IsAValidComplex)
 /// smooth surface has normals of both sides.
 TEST_P(SubdivisionModelSource, SurfacesAreOriented)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = LoadModel(GetParam());
   const Complex complex(grid);
   std::map<Simplex, std::vector<bool>> runsUp; // of each triangle at an edge
   std::set<Simplex> excluded;                  // edges of solids, and singular lines
@@ -340,7 +334,7 @@ TEST_P(SubdivisionModelSource, SurfacesAreOriented)
 
 TEST_P(SubdivisionModelSource, CellsMeetOnlyInCommonFaces)
 {
-  const Complex complex(Make(GetParam()));
+  const Complex complex(LoadModel(GetParam()));
   for (int size = 1; size <= 4; ++size) // equal points, T-junctions, points inside cells
   {
     for (const Simplex& simplex : complex.Closure[size])
@@ -375,7 +369,7 @@ TEST_P(SubdivisionModelSource, CellsMeetOnlyInCommonFaces)
 
 TEST_P(SubdivisionModelSource, CarriesItsArrays)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = LoadModel(GetParam());
   auto* tension = vtkDoubleArray::SafeDownCast(grid->GetPointData()->GetScalars());
   ASSERT_NE(tension, nullptr);
   EXPECT_STREQ(tension->GetName(), "Tension");
@@ -405,43 +399,9 @@ TEST_P(SubdivisionModelSource, CarriesItsArrays)
   }
 }
 
-namespace
-{
-
-void ExpectEqual(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
-{
-  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
-  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
-  vtkNew<vtkIdList> idsOfA, idsOfB;
-  for (vtkIdType i = 0; i < a->GetNumberOfCells(); ++i)
-  {
-    EXPECT_EQ(a->GetCellType(i), b->GetCellType(i));
-    a->GetCellPoints(i, idsOfA);
-    b->GetCellPoints(i, idsOfB);
-    EXPECT_TRUE(std::equal(idsOfA->begin(), idsOfA->end(), idsOfB->begin(), idsOfB->end()));
-    for (const char* name : { "MaterialId", "Singular" })
-    {
-      EXPECT_EQ(a->GetCellData()->GetArray(name)->GetTuple1(i),
-        b->GetCellData()->GetArray(name)->GetTuple1(i));
-    }
-  }
-  EXPECT_EQ(a->GetPoints()->GetDataType(), b->GetPoints()->GetDataType());
-  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
-  {
-    Vector x, y;
-    a->GetPoint(i, x.data());
-    b->GetPoint(i, y.data());
-    EXPECT_EQ(x, y);
-    EXPECT_EQ(
-      a->GetPointData()->GetScalars()->GetTuple1(i), b->GetPointData()->GetScalars()->GetTuple1(i));
-  }
-}
-
-}
-
 TEST_P(SubdivisionModelSource, IsDeterministic)
 {
-  ExpectEqual(Make(GetParam()), Make(GetParam()));
+  EXPECT_EQ(Compare(LoadModel(GetParam()), LoadModel(GetParam())), "");
 }
 
 TEST_P(SubdivisionModelSource, EqualsItsFileInData)
@@ -458,13 +418,13 @@ TEST_P(SubdivisionModelSource, EqualsItsFileInData)
   reader->SetFileName(path.c_str());
   reader->Update();
   ASSERT_NE(reader->GetOutput()->GetPointData()->GetScalars(), nullptr);
-  ExpectEqual(Make(GetParam()), reader->GetOutput());
+  EXPECT_EQ(Compare(LoadModel(GetParam()), reader->GetOutput(), false), "");
 }
 
 /// Such numbers are exact in the text of the files.
 TEST_P(SubdivisionModelSource, NumbersHaveFourDecimals)
 {
-  const vtkSmartPointer<vtkUnstructuredGrid> grid = Make(GetParam());
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = LoadModel(GetParam());
   for (vtkDataArray* array : { grid->GetPoints()->GetData(), grid->GetPointData()->GetScalars() })
   {
     for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -487,7 +447,7 @@ TEST_P(SubdivisionModelSource, IsSubdividedWithoutAWarning)
     vtkNew<vtkMultiDimensionalSubdivision> filter;
     vtkNew<Messages> messages;
     messages->Watch(filter);
-    filter->SetInputData(Make(GetParam()));
+    filter->SetInputData(LoadModel(GetParam()));
     filter->SetVolumeScheme(scheme);
     filter->SetNumberOfLevels(3);
     filter->Update();

@@ -4,8 +4,10 @@
  * Solids that smoothing turns inside out, and normals of the limit, which do not follow them.
  */
 #include "FeatureTools.h"
+#include "PointTools.h"
 
 using namespace feature_tools;
+using namespace point_tools;
 
 namespace
 {
@@ -48,11 +50,6 @@ Point GetNormal(vtkUnstructuredGrid* grid, vtkIdType i)
   Point normal;
   grid->GetPointData()->GetArray("LimitNormals")->GetTuple(i, normal.data());
   return normal;
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 Grid RunWithNormals(vtkUnstructuredGrid* grid, int levels, int scheme)

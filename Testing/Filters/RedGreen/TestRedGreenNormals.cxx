@@ -3,6 +3,7 @@
  * @file TestRedGreenNormals.cxx
  * vtkRedGreenRefinement: normals of points on the limit.
  */
+#include "PointTools.h"
 #include "RedGreenRefinementTools.h"
 
 #include "vtkPolyData.h"
@@ -10,6 +11,7 @@
 #include "vtkSubdivisionModelSource.h"
 
 using namespace red_green_refinement_tools;
+using namespace point_tools;
 
 namespace
 {
@@ -19,16 +21,6 @@ Point GetNormal(vtkPointSet* mesh, vtkIdType point)
   Point normal;
   mesh->GetPointData()->GetNormals()->GetTuple(point, normal.data());
   return normal;
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-double GetDistance(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 /// The normals of the main filter.
@@ -51,26 +43,13 @@ Grid MakeUniform(
 bool IsExact(vtkUnstructuredGrid* uniform, vtkUnstructuredGrid* finer, vtkIdType point)
 {
   return uniform->GetPointData()->GetArray("RuleDimension")->GetComponent(point, 0) == 2. &&
-    GetDistance(GetNormal(uniform, point), GetNormal(finer, point)) < 1e-12;
+    Distance(GetNormal(uniform, point), GetNormal(finer, point)) < 1e-12;
 }
 
 void SetLimit(Filter* filter)
 {
   filter->SetPlacementToLimit();
   filter->GenerateLimitNormalsOn();
-}
-
-/// With all edges halved so many times.
-Grid HalveAll(vtkDataObject* input, int levels)
-{
-  return Refine(input,
-    [levels](Filter* filter)
-    {
-      SetLimit(filter);
-      filter->RefineByEdgeLengthOn();
-      filter->SetMaximumEdgeLength(0.);
-      filter->SetMaximumLevel(levels);
-    });
 }
 
 Grid RefineHereAndThere(vtkDataObject* input, int scheme = Filter::BOX_SPLINE)
@@ -96,7 +75,7 @@ TEST_P(RedGreenNormalsZoo, AreThoseOfTheMainFilter)
   const Grid finer = MakeUniform(input, 3);
   for (int level = 0; level < 3; ++level)
   {
-    const Grid output = HalveAll(input, level);
+    const Grid output = HalveAll(input, level, SetLimit);
     const Grid uniform = MakeUniform(input, level);
     ASSERT_EQ(output->GetNumberOfCells(), uniform->GetNumberOfCells());
     for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
@@ -114,7 +93,7 @@ TEST_P(RedGreenNormalsZoo, AreThoseOfTheMainFilter)
         const Point expected = GetNormal(uniform, others[i]);
         if (IsExact(uniform, finer, others[i]))
         {
-          ASSERT_LT(GetDistance(GetNormal(output, own[i]), expected), 1e-12)
+          ASSERT_LT(Distance(GetNormal(output, own[i]), expected), 1e-12)
             << "level " << level << ", point " << own[i];
         }
         else
@@ -154,7 +133,7 @@ void ExpectNormalsOfUniformMesh(vtkUnstructuredGrid* input, int scheme)
     if (same != exact.end())
     {
       ++found;
-      EXPECT_LT(GetDistance(GetNormal(output, i), GetNormal(uniform, same->second)), 1e-12) << i;
+      EXPECT_LT(Distance(GetNormal(output, i), GetNormal(uniform, same->second)), 1e-12) << i;
     }
   }
   EXPECT_GT(found, exact.empty() ? -1 : 0);
@@ -222,7 +201,7 @@ TEST(RedGreenNormals, OfASphereFitItsTriangles)
   double before = 1.;
   for (int level = 1; level < 4; ++level)
   {
-    const Grid output = HalveAll(MakeSphere(), level);
+    const Grid output = HalveAll(MakeSphere(), level, SetLimit);
     ASSERT_STREQ(output->GetPointData()->GetNormals()->GetName(), "LimitNormals");
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
@@ -238,12 +217,12 @@ TEST(RedGreenNormals, OfASphereFitItsTriangles)
 TEST(RedGreenNormals, HaveOneSideHoweverCellsAreOriented)
 {
   const auto sphere = MakeSphere();
-  const Grid expected = HalveAll(sphere, 1);
+  const Grid expected = HalveAll(sphere, 1, SetLimit);
   for (vtkIdType c = 1; c < sphere->GetNumberOfCells(); c += 3)
   {
     sphere->ReverseCell(c);
   }
-  const Grid output = HalveAll(sphere, 1);
+  const Grid output = HalveAll(sphere, 1, SetLimit);
   ASSERT_EQ(output->GetNumberOfPoints(), expected->GetNumberOfPoints());
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
@@ -255,13 +234,13 @@ TEST(RedGreenNormals, HaveOneSideHoweverCellsAreOriented)
 TEST(RedGreenNormals, HaveTheTypeOfPointsAndReplaceOlderOnes)
 {
   const auto sphere = MakeSphere();
-  const Grid first = HalveAll(sphere, 1);
+  const Grid first = HalveAll(sphere, 1, SetLimit);
   EXPECT_EQ(first->GetPointData()->GetNormals()->GetDataType(), VTK_DOUBLE);
   for (const char* name : { "RefinementLevel", "RefinementKind", "GreenParent" })
   {
     first->GetCellData()->RemoveArray(name); // of which the filter would warn
   }
-  const Grid second = HalveAll(first, 1);
+  const Grid second = HalveAll(first, 1, SetLimit);
   EXPECT_EQ(second->GetPointData()->GetNormals()->GetNumberOfTuples(), second->GetNumberOfPoints());
   const Grid single = Refine(sphere,
     [](Filter* filter)

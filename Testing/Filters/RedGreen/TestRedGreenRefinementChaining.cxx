@@ -17,19 +17,6 @@ using namespace red_green_refinement_tools;
 namespace
 {
 
-Grid RefineEverywhere(vtkUnstructuredGrid* grid, int levels, Messages* messages = nullptr)
-{
-  return Refine(
-    grid,
-    [levels](Filter* filter)
-    {
-      filter->RefineByEdgeLengthOn();
-      filter->SetMaximumEdgeLength(0.);
-      filter->SetMaximumLevel(levels);
-    },
-    messages);
-}
-
 /// A mesh of all dimensions with cells of all kinds.
 Grid MakeGreen()
 {
@@ -110,7 +97,7 @@ TEST(RedGreenLeaves, AreWhatGreenCellsArePartsOf)
 TEST(RedGreenLeaves, TravelThroughFiles)
 {
   const Grid green = MakeGreen();
-  const Grid direct = RefineEverywhere(green, 2);
+  const Grid direct = HalveAll(green, 2);
   EXPECT_LT(direct->GetNumberOfCells(), 64 * green->GetNumberOfCells()) << "undone";
   for (int mode : { vtkXMLWriter::Ascii, vtkXMLWriter::Binary, vtkXMLWriter::Appended })
   {
@@ -121,7 +108,7 @@ TEST(RedGreenLeaves, TravelThroughFiles)
     for (bool narrow : { false, true })
     {
       const Grid read = WriteAndRead(green, mode, narrow);
-      const Grid again = RefineEverywhere(read, 2);
+      const Grid again = HalveAll(read, 2);
       EXPECT_EQ(GetCells(again), GetCells(direct)) << mode << narrow;
       EXPECT_EQ(CompareValues(again->GetPoints()->GetData(), direct->GetPoints()->GetData()), "");
       EXPECT_EQ(again->GetNumberOfPoints(), direct->GetNumberOfPoints());
@@ -142,7 +129,7 @@ TEST(RedGreenLeaves, AreUndoneWhereNothingIsKnown)
   auto unknown = MakeArray<vtkDoubleArray>("Unknown", 1, green->GetNumberOfCells(), 0., 1., 1);
   unknown->Fill(std::numeric_limits<double>::quiet_NaN());
   green->GetCellData()->AddArray(unknown);
-  EXPECT_EQ(GetCells(RefineEverywhere(green, 1)), GetCells(RefineEverywhere(MakeGreen(), 1)));
+  EXPECT_EQ(GetCells(HalveAll(green, 1)), GetCells(HalveAll(MakeGreen(), 1)));
 }
 
 /// Leaves that are not those of the cells: as if they were not there, whatever they say.
@@ -167,7 +154,7 @@ TEST(RedGreenLeaves, ThatAreDamagedAreNotUsed)
       leaves->SetComponent(leaf, static_cast<int>(random() % 10), static_cast<double>(point));
     }
     vtkNew<Messages> messages;
-    const Grid twice = RefineEverywhere(once, 1, messages);
+    const Grid twice = HalveAll(once, 1, {}, messages);
     if (CompareValues(before, leaves) != "" && messages->CountWarnings("is replaced") > 0)
     {
       ++damaged;
@@ -201,7 +188,7 @@ TEST(RedGreenLeaves, OfOtherCellsAreNotUsed)
       changed->GetCellData()->PassData(green->GetCellData());
     }
     vtkNew<Messages> messages;
-    const Grid output = RefineEverywhere(changed, 0, messages);
+    const Grid output = HalveAll(changed, 0, {}, messages);
     EXPECT_EQ(GetCells(output), ids) << change;
     EXPECT_EQ(CountKind(output, 0), output->GetNumberOfCells()) << change;
   }

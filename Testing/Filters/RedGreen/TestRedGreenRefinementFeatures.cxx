@@ -167,32 +167,6 @@ Grid Project(vtkUnstructuredGrid* input, int levels, const FeatureCase& features
   return filter->GetOutput();
 }
 
-/// The largest difference of points and values; their cells must be in the same order. `sort`: the
-/// points of each cell may be in another.
-double GetDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool sort)
-{
-  double largest = a->GetNumberOfCells() == b->GetNumberOfCells() ? 0. : 1e9;
-  for (vtkIdType i = 0; largest < 1e9 && i < a->GetNumberOfCells(); ++i)
-  {
-    Ids x = GetCell(a, i);
-    Ids y = GetCell(b, i);
-    if (sort)
-    {
-      std::sort(x.begin(), x.end());
-      std::sort(y.begin(), y.end());
-    }
-    for (std::size_t k = 0; k < x.size(); ++k)
-    {
-      const Point p = GetPoint(a, x[k]);
-      const Point q = GetPoint(b, y[k]);
-      largest = std::max({ largest, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]),
-        std::abs(a->GetPointData()->GetArray("V")->GetComponent(x[k], 0) -
-          b->GetPointData()->GetArray("V")->GetComponent(y[k], 0)) });
-    }
-  }
-  return largest;
-}
-
 class RedGreenFeatures : public testing::TestWithParam<const char*>
 {
 };

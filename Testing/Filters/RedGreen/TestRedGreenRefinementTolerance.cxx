@@ -4,6 +4,7 @@
  * vtkRedGreenRefinement: errors against the limit, measured with a mesh three levels finer, are
  * below the tolerance that was asked for.
  */
+#include "PointTools.h"
 #include "RedGreenRefinementTools.h"
 
 #include "vtkMath.h"
@@ -11,23 +12,14 @@
 #include <limits>
 
 using namespace red_green_refinement_tools;
+using namespace point_tools;
 
 namespace
 {
 
-Point Minus(const Point& a, const Point& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Point& a, const Point& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double GetDistanceFromPoint(const Point& p, const Point& a)
 {
-  return std::sqrt(Dot(Minus(p, a), Minus(p, a)));
+  return std::sqrt(Dot(Subtract(p, a), Subtract(p, a)));
 }
 
 Point Combine(const Point& a, double s, const Point& u, double t = 0., const Point& v = {})
@@ -42,17 +34,17 @@ double GetDistance(const Point& p, const std::vector<Point>& corners)
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     const Point& a = corners[i];
-    const Point along = Minus(corners[(i + 1) % corners.size()], a);
+    const Point along = Subtract(corners[(i + 1) % corners.size()], a);
     const double length = Dot(along, along);
-    const double t = length > 0. ? Dot(Minus(p, a), along) / length : 0.;
+    const double t = length > 0. ? Dot(Subtract(p, a), along) / length : 0.;
     nearest =
       std::min(nearest, GetDistanceFromPoint(p, Combine(a, std::max(0., std::min(t, 1.)), along)));
   }
   if (corners.size() == 3)
   {
-    const Point u = Minus(corners[1], corners[0]);
-    const Point v = Minus(corners[2], corners[0]);
-    const Point w = Minus(p, corners[0]);
+    const Point u = Subtract(corners[1], corners[0]);
+    const Point v = Subtract(corners[2], corners[0]);
+    const Point w = Subtract(p, corners[0]);
     const double determinant = Dot(u, u) * Dot(v, v) - Dot(u, v) * Dot(u, v);
     const double s = (Dot(v, v) * Dot(w, u) - Dot(u, v) * Dot(w, v)) / determinant;
     const double t = (Dot(u, u) * Dot(w, v) - Dot(u, v) * Dot(w, u)) / determinant;
@@ -134,18 +126,6 @@ double MeasureDistance(vtkUnstructuredGrid* fine, vtkUnstructuredGrid* coarse)
   return largest;
 }
 
-Grid RefineAll(vtkUnstructuredGrid* input, int level, int placement)
-{
-  return Refine(input,
-    [=](Filter* filter)
-    {
-      filter->RefineByEdgeLengthOn();
-      filter->SetMaximumEdgeLength(0.);
-      filter->SetMaximumLevel(level);
-      filter->SetPlacement(placement);
-    });
-}
-
 Grid RefineTo(vtkUnstructuredGrid* input, double tolerance, bool isRelative = false)
 {
   return Refine(input,
@@ -197,7 +177,8 @@ TEST(RedGreenTolerance, OfGeometryIsMetOnTheZoo)
       const int level = GetFinestLevel(output);
       if (level < 3)
       {
-        const Grid fine = RefineAll(input, level + 3, Filter::LIMIT);
+        const Grid fine =
+          HalveAll(input, level + 3, [](Filter* one) { one->SetPlacementToLimit(); });
         EXPECT_LE(MeasureDistance(fine, output), tolerance) << GetCells(input).size() << " cells";
         refined += level > 0 ? 1 : 0;
       }
@@ -235,8 +216,8 @@ double MeasureLargestTurn(vtkUnstructuredGrid* grid)
   for (const Ids& ids : GetCells(grid))
   {
     const Point a = GetPoint(grid, ids[0]);
-    const Point u = Minus(GetPoint(grid, ids[1]), a);
-    const Point v = Minus(GetPoint(grid, ids[2]), a);
+    const Point u = Subtract(GetPoint(grid, ids[1]), a);
+    const Point v = Subtract(GetPoint(grid, ids[2]), a);
     const Point normal = { u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
       u[0] * v[1] - u[1] * v[0] };
     for (std::size_t k = 0; k < 3; ++k)
@@ -307,8 +288,8 @@ TEST(RedGreenTolerance, CurvatureOfCurvesIsMetAndStraightOnesStay)
   {
     if (others.size() == 2)
     {
-      const Point u = Minus(GetPoint(zigzag, point), GetPoint(zigzag, others[0]));
-      const Point v = Minus(GetPoint(zigzag, others[1]), GetPoint(zigzag, point));
+      const Point u = Subtract(GetPoint(zigzag, point), GetPoint(zigzag, others[0]));
+      const Point v = Subtract(GetPoint(zigzag, others[1]), GetPoint(zigzag, point));
       const double cosine = Dot(u, v) / std::sqrt(Dot(u, u) * Dot(v, v));
       largest = std::max(largest, vtkMath::DegreesFromRadians(std::acos(std::min(1., cosine))));
     }
@@ -414,8 +395,10 @@ TEST(RedGreenTolerance, OfAttributesIsMetOnTheZoo)
     const int level = GetFinestLevel(coarse);
     refined += level > 0 ? 1 : 0;
     const int finest = std::min(level + 3, 5);
-    const double measured = MeasureDifference(RefineAll(input, finest, Filter::LINEAR),
-      RefineAll(input, finest, Filter::LIMIT), coarse, run(Filter::LIMIT));
+    const Grid fine =
+      HalveAll(input, finest, [](Filter* filter) { filter->SetPlacementToLimit(); });
+    const double measured =
+      MeasureDifference(HalveAll(input, finest), fine, coarse, run(Filter::LIMIT));
     EXPECT_LE(measured, tolerance * range) << input->GetNumberOfCells() << " cells";
   }
   EXPECT_GT(refined, 7);

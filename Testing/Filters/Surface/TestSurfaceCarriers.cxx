@@ -14,6 +14,7 @@
 #include <numeric>
 
 using namespace surfacetools;
+using multi_dimensional_subdivision_tools::GetPoint;
 
 namespace
 {
@@ -51,13 +52,6 @@ std::vector<int> GetNumbers(vtkPolyData* data)
     numbers[i] = static_cast<int>(array->GetComponent(static_cast<vtkIdType>(i), 0));
   }
   return numbers;
-}
-
-Point GetPoint(vtkPolyData* data, vtkIdType id)
-{
-  Point point;
-  data->GetPoint(id, point.data());
-  return point;
 }
 
 double GetArea(vtkPolyData* data, vtkIdType cell)

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Doo and Sabin's scheme: masks, topology, boundary, and the filter around it.
-#include "vtkSurfaceSubdivision.h"
-
-#include "DualFilterTools.h"
+// Doo and Sabin's scheme: masks and topology. TestSurfaceDualSchemes.cxx has what midedge has, too.
 #include "DualSchemeTools.h"
 
 using namespace dualtools;
@@ -11,11 +8,6 @@ namespace
 {
 
 constexpr auto Kind = subdivision::SurfaceSchemeKind::DooSabin;
-
-TEST(SurfaceDooSabin, EveryMesh)
-{
-  ExpectDualSteps(Kind, 3);
-}
 
 TEST(SurfaceDooSabin, RegularMaskIsTheBiquadraticSpline)
 {
@@ -41,7 +33,7 @@ TEST(SurfaceDooSabin, SpectrumIsOneTwoHalvesAndQuarters)
 {
   for (int k = 3; k <= 12; ++k)
   {
-    std::vector<int> face(k);
+    std::vector<vtkIdType> face(k);
     for (int i = 0; i < k; ++i)
     {
       face[i] = i;
@@ -100,28 +92,6 @@ TEST(SurfaceDooSabin, Counts)
   EXPECT_EQ(CountOpenSides(pillow[1]), 0);
 }
 
-TEST(SurfaceDooSabin, BoundaryIsTheQuadraticSpline)
-{
-  ExpectChaikinBoundary(Kind, 1);
-}
-
-TEST(SurfaceDooSabin, RegularGridStaysRegular)
-{
-  ExpectRegularGrid(Kind, 8., 12u * 8u);
-}
-
-TEST(SurfaceDooSabin, SheetsComeApartAtEdgesOfThreeFaces)
-{
-  const Steps steps(MakeLevel(5, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }), Kind, 1);
-  EXPECT_EQ(steps[1].Mesh.NumberOfFaces, 3 * 7);
-  EXPECT_EQ(steps[1].Mesh.NumberOfVertices, 3 * 9);
-}
-
-TEST(SurfaceDooSabin, Valence2000)
-{
-  ExpectLargeFans(Kind, 2);
-}
-
 TEST(SurfaceDooSabin, FacesBetweenOthersBelongToBoth)
 {
   const Steps steps(MakeLevel(6, MakeQuads(2, 1)), Kind, 1);
@@ -144,25 +114,10 @@ TEST(SurfaceDooSabin, FacesBetweenOthersBelongToBoth)
   }
 }
 
-TEST(SurfaceDooSabin, FiltersInARow)
-{
-  ExpectFiltersInARow(vtkSurfaceSubdivision::DOO_SABIN);
-}
-
-TEST(SurfaceDooSabin, LinesAndVertices)
-{
-  ExpectLinesAndVertices(vtkSurfaceSubdivision::DOO_SABIN);
-}
-
-TEST(SurfaceDooSabin, WhatIsIgnoredIsSaid)
-{
-  ExpectWarnings(vtkSurfaceSubdivision::DOO_SABIN);
-}
-
 TEST(SurfaceDooSabin, ArraysThatAreNotSmoothed)
 {
   // A quad and a triangle; labels are the point ids. Global ids order points in the first step.
-  const Data input = MakeData(MakePoints(5), { { 0, 1, 2, 3 }, { 2, 1, 4 } });
+  const Data input = MakeData(MakeRandomPoints(5, 3), { { 0, 1, 2, 3 }, { 2, 1, 4 } });
   AddIds(input->GetPointData(), "labels", { 10, 11, 12, 13, 14 }, false);
   AddIds(input->GetPointData(), "ids", { 5, 4, 3, 2, 1 }, true);
   AddIds(input->GetCellData(), "cells", { 7, 8 }, false);

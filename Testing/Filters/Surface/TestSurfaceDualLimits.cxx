@@ -2,16 +2,15 @@
 // Mathematics 12: limits of the dual schemes. The limit at a face is the mean of its corners, on
 // all levels; where a vertex's limit is such a mean, or the middle of a side of the boundary, it is
 // on the surface.
-#include "vtkSurfaceSubdivision.h"
-
-#include "DualFilterTools.h"
 #include "DualSchemeTools.h"
+#include "PointTools.h"
 
 #include "vtkPointData.h"
 
 #include <functional>
 
 using namespace dualtools;
+using namespace point_tools;
 
 namespace
 {
@@ -19,16 +18,6 @@ namespace
 using subdivision::LimitKind;
 using subdivision::SurfaceSchemeKind;
 using Vector = std::array<double, 3>;
-
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
-
-double Length(const Vector& a)
-{
-  return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
-}
 
 /// The sum of weight(j) times the j-th corner of a face.
 Vector SumCorners(const Mesh& mesh, const Points& points, int face,
@@ -58,7 +47,7 @@ struct Subdivided
   Subdivided(const Shape& shape, SurfaceSchemeKind kind, int steps, int firstStep = 0)
     : Levels(MakeLevel(shape.NumberOfVertices, shape.Polygons), kind, steps, firstStep)
     , Control(MakeLevel(shape.NumberOfVertices, shape.Polygons), kind, 0, firstStep)
-    , Values{ MakePoints(shape.NumberOfVertices) }
+    , Values{ MakeRandomPoints(shape.NumberOfVertices, 3) }
   {
     for (int step = 0; step < steps; ++step)
     {
@@ -247,10 +236,10 @@ TEST(SurfaceDualLimits, DooSabinAcrossTheBoundary)
 
 TEST(SurfaceDualLimits, OfLinesAreCubicSplines)
 {
-  const Points points = MakePoints(4);
+  const Points points = MakeRandomPoints(4, 3);
   for (const auto kind : { SurfaceSchemeKind::DooSabin, SurfaceSchemeKind::Midedge })
   {
-    const Steps line(MakeLevel(4, {}, { 0, 1, 1, 2 }), kind, 0);
+    const Steps line(MakeLevel(4, {}, { { 0, 1 }, { 1, 2 } }), kind, 0);
     const Points limits = line.ApplyLimit(LimitKind::Position, points);
     const Points tangents = line.ApplyLimit(LimitKind::Tangent1, points);
     EXPECT_EQ(limits[0], points[0]);

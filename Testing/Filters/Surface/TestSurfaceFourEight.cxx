@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// 4-8: incidences against a search, masks by their algebra, and the filter around it.
+// 4-8: masks by their algebra. TestSurfaceReplacedEdges.cxx has what sqrt(3) has, too.
 #include "SurfaceTools.h"
 
 namespace
@@ -49,41 +49,6 @@ Model MakeSheets(int k, int n)
     }
   }
   return model;
-}
-
-TEST(SurfaceFourEight, StepsAreWhatASearchFinds)
-{
-  std::map<std::string, Model> zoo = MakeZoo(false);
-  const std::map<std::string, Model> triangles = MakeZoo(true);
-  for (const char* name : { "triangle", "moebius", "flipped fan", "touching tetrahedra" })
-  {
-    zoo[std::string("triangles: ") + name] = triangles.at(name);
-  }
-  for (const auto& entry : zoo)
-  {
-    SCOPED_TRACE(entry.first);
-    Walk walk(entry.second, Kind);
-    for (int step = 0; step < 5; ++step)
-    {
-      const vtkIdType euler = GetEuler(walk.Level.Mesh);
-      CheckRows(walk);
-      const SurfaceLevel<int> output = walk.Scheme->Refine(walk.Level, Depth::ForOutput);
-      walk.Step();
-      EXPECT_EQ(GetEuler(walk.Level.Mesh), euler);
-      CheckIncidences(walk.Level);
-      const SurfaceLevel<int>& whole = walk.Level;
-      ASSERT_EQ(output.Mesh.Vertices.size(), whole.Mesh.Vertices.size());
-      EXPECT_TRUE(std::equal(
-        output.Mesh.Vertices.begin(), output.Mesh.Vertices.end(), whole.Mesh.Vertices.begin()));
-      ASSERT_EQ(output.Lines.size(), whole.Lines.size());
-      EXPECT_TRUE(std::equal(output.Lines.begin(), output.Lines.end(), whole.Lines.begin()));
-    }
-  }
-}
-
-TEST(SurfaceFourEight, LinesStayConnected)
-{
-  CheckLines(Kind, false, 4);
 }
 
 TEST(SurfaceFourEight, CountsOfFaces)
@@ -139,20 +104,6 @@ TEST(SurfaceFourEight, RegularMaskIsThatOfTheBoxSpline)
     }
     EXPECT_GT(checked, 30);
     walk.Step();
-  }
-}
-
-TEST(SurfaceFourEight, FlatGridsStayExact)
-{
-  Walk walk(MakeSheet(4, 3, false, { 1., 0., 0. }, { 0.25, 0.8, 0.5 }), Kind);
-  for (int step = 0; step < 6; ++step)
-  {
-    const std::vector<Point> before = walk.Points;
-    walk.Step();
-    for (std::size_t v = 0; v < before.size(); ++v)
-    {
-      EXPECT_LT(GetDistance(walk.Points[v], before[v]), 1e-14) << step << " " << v;
-    }
   }
 }
 
@@ -239,31 +190,6 @@ TEST(SurfaceFourEight, SurfacesAreSmoothAtExtraordinaryVertices)
   }
 }
 
-TEST(SurfaceFourEight, CreasesAreBoundariesOnBothSides)
-{
-  Model both = MakeSheet(3, 2, false, { 1., 0., 0. }, { 0., 1., 0. });
-  both.Points = MakeRandomPoints(both.Points.size(), 9);
-  both.Lines = { { 4, 5 }, { 5, 6 }, { 6, 7 } };
-  Model half = both;
-  half.Lines.clear();
-  half.Faces.resize(3);
-  half.Corners.insert(half.Corners.end(), { 4, 7 });
-  Walk whole(both, Kind);
-  Walk part(half, Kind);
-  for (int step = 0; step < 6; ++step)
-  {
-    // The children of the half are the first ones of the whole.
-    for (int c = 0; c < part.Level.Mesh.GetNumberOfCorners(); ++c)
-    {
-      EXPECT_LT(GetDistance(part.Points[part.Level.Mesh.Vertices[c]],
-                  whole.Points[whole.Level.Mesh.Vertices[c]]),
-        1e-14);
-    }
-    whole.Step();
-    part.Step();
-  }
-}
-
 TEST(SurfaceFourEight, CurvesAreCubicSplinesEverySecondStep)
 {
   Model line;
@@ -280,39 +206,6 @@ TEST(SurfaceFourEight, CurvesAreCubicSplinesEverySecondStep)
       0.75 * line.Points[2][c] + 0.125 * (line.Points[1][c] + line.Points[3][c]), 1e-15);
     EXPECT_NEAR(walk.Points[5][c], 0.5 * (line.Points[0][c] + line.Points[1][c]), 1e-15);
   }
-}
-
-TEST(SurfaceFourEight, AnythingIsSubdivided)
-{
-  CheckRandomFaces(Kind, false);
-}
-
-TEST(SurfaceFourEight, FiltersInARowAreOneFilter)
-{
-  for (bool triangles : { false, true })
-  {
-    for (const auto& entry : MakeZoo(triangles))
-    {
-      SCOPED_TRACE(entry.first);
-      CheckChaining(entry.second, vtkSurfaceSubdivision::FOUR_EIGHT);
-    }
-  }
-}
-
-TEST(SurfaceFourEight, FiltersInARowKeepFlags)
-{
-  CheckChainingOfFlags(false, vtkSurfaceSubdivision::FOUR_EIGHT);
-}
-
-TEST(SurfaceFourEight, ThreadsDoNotChangeTheResult)
-{
-  Model grid = MakeSheet(40, 40, false, { 1., 0., 0. }, { 0., 1., 0. });
-  grid.Points = MakeRandomPoints(grid.Points.size(), 5);
-  for (int i = 0; i < 20; ++i)
-  {
-    grid.Lines.push_back({ 42 * i, 42 * i + 1 });
-  }
-  CheckThreads(grid, vtkSurfaceSubdivision::FOUR_EIGHT, 4, false);
 }
 
 }

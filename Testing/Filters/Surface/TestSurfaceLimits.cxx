@@ -4,9 +4,11 @@
  * Limit positions and normals of surfaces do not depend on the level at which they are asked for,
  * nor on the order and the orientation of faces.
  */
+#include "PointTools.h"
 #include "SurfaceTools.h"
 
 using namespace surfacetools;
+using namespace point_tools;
 
 namespace
 {
@@ -54,23 +56,6 @@ Point GetNormal(const std::vector<Point>& first, const std::vector<Point>& secon
     x = length > 0. ? x / length : 0.;
   }
   return n;
-}
-
-/// The `LimitNormals` of the first points of an output.
-std::vector<Point> GetNormals(vtkPolyData* output, std::size_t count)
-{
-  vtkDataArray* array = output->GetPointData()->GetArray("LimitNormals");
-  std::vector<Point> normals(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    array->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
-  }
-  return normals;
-}
-
-double GetLength(const Point& p)
-{
-  return std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
 }
 
 vtkSmartPointer<vtkPolyData> RunWithCorners(const Model& model, int scheme, int levels)
@@ -254,7 +239,7 @@ TEST(SurfaceLimits, ParallelTangentsHaveANormalForShading)
       RunFilter(MakeInput(model), vtkSurfaceSubdivision::CATMULL_CLARK, levels, true), 6));
     for (std::size_t i = 0; i < 6; ++i)
     {
-      EXPECT_NEAR(GetLength(found.back()[i]), 1., 1e-12) << levels;
+      EXPECT_NEAR(Length(found.back()[i]), 1., 1e-12) << levels;
     }
     for (std::size_t i = 1; i < 5; ++i)
     {

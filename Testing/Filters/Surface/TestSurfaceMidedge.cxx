@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The midedge scheme: masks, topology, boundary of odd and even steps, and the filter around it.
-#include "vtkSurfaceSubdivision.h"
-
-#include "DualFilterTools.h"
+// The midedge scheme: masks and topology. TestSurfaceDualSchemes.cxx has what Doo-Sabin has, too.
 #include "DualSchemeTools.h"
 
 using namespace dualtools;
@@ -11,11 +8,6 @@ namespace
 {
 
 constexpr auto Kind = subdivision::SurfaceSchemeKind::Midedge;
-
-TEST(SurfaceMidedge, EveryMesh)
-{
-  ExpectDualSteps(Kind, 5);
-}
 
 TEST(SurfaceMidedge, VerticesAreMidpoints)
 {
@@ -42,7 +34,7 @@ TEST(SurfaceMidedge, VerticesAreMidpoints)
 /// Two steps of a face of k corners on itself: row 0 of the circulant matrix.
 std::vector<double> GetTwoSteps(int k)
 {
-  std::vector<int> face(k);
+  std::vector<vtkIdType> face(k);
   for (int i = 0; i < k; ++i)
   {
     face[i] = i;
@@ -182,55 +174,18 @@ TEST(SurfaceMidedge, Counts)
   EXPECT_EQ(CountOpenSides(pillow[1]), 0);
 }
 
-TEST(SurfaceMidedge, TwoStepsMakeTheBoundaryTheQuadraticSpline)
-{
-  ExpectChaikinBoundary(Kind, 2);
-}
-
-TEST(SurfaceMidedge, RegularGridStaysRegular)
-{
-  ExpectRegularGrid(Kind, 4., 6u * 4u);
-}
-
-TEST(SurfaceMidedge, SheetsComeApartAtEdgesOfThreeFaces)
-{
-  const Steps steps(MakeLevel(5, { { 0, 1, 2 }, { 1, 0, 3 }, { 0, 1, 4 } }), Kind, 1);
-  EXPECT_EQ(steps[1].Mesh.NumberOfFaces, 3 * 4);
-  EXPECT_EQ(steps[1].Mesh.NumberOfVertices, 3 * 6);
-}
-
-TEST(SurfaceMidedge, Valence2000)
-{
-  ExpectLargeFans(Kind, 4);
-}
-
-TEST(SurfaceMidedge, FiltersInARow)
-{
-  ExpectFiltersInARow(vtkSurfaceSubdivision::MIDEDGE);
-}
-
-TEST(SurfaceMidedge, LinesAndVertices)
-{
-  ExpectLinesAndVertices(vtkSurfaceSubdivision::MIDEDGE);
-}
-
-TEST(SurfaceMidedge, WhatIsIgnoredIsSaid)
-{
-  ExpectWarnings(vtkSurfaceSubdivision::MIDEDGE);
-}
-
 TEST(SurfaceMidedge, OtherMeshesBeginWithAnOddStep)
 {
   // The stamp of one step is not believed where cells are missing.
   const Data once =
-    Subdivide(MakeData(MakePoints(3), { { 0, 1, 2 } }), vtkSurfaceSubdivision::MIDEDGE, 1);
-  EXPECT_EQ(Subdivide(once, vtkSurfaceSubdivision::MIDEDGE, 1)->GetNumberOfPolys(), 7);
+    RunFilter(MakeData(MakeRandomPoints(3, 3), { { 0, 1, 2 } }), vtkSurfaceSubdivision::MIDEDGE, 1);
+  EXPECT_EQ(RunFilter(once, vtkSurfaceSubdivision::MIDEDGE, 1)->GetNumberOfPolys(), 7);
   auto part = Data::New();
   part->ShallowCopy(once);
   vtkNew<vtkCellArray> cells;
   cells->InsertNextCell({ 0, 1, 2 });
   part->SetPolys(cells);
-  EXPECT_EQ(Subdivide(part, vtkSurfaceSubdivision::MIDEDGE, 1)->GetNumberOfPolys(), 4);
+  EXPECT_EQ(RunFilter(part, vtkSurfaceSubdivision::MIDEDGE, 1)->GetNumberOfPolys(), 4);
 }
 
 }

@@ -11,18 +11,6 @@ using namespace surfacetools;
 namespace
 {
 
-std::vector<Point> GetNormals(vtkPolyData* output, std::size_t count)
-{
-  vtkDataArray* array = output->GetPointData()->GetArray("LimitNormals");
-  std::vector<Point> normals(count);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    array->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
-    EXPECT_NEAR(std::hypot(normals[i][0], normals[i][1], normals[i][2]), 1., 1e-12);
-  }
-  return normals;
-}
-
 /// The first cells of a surface, its lines, flagged or sharp for so many levels.
 void AddToLines(vtkPolyData* surface, const char* name, double value)
 {

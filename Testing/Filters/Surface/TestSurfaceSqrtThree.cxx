@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// sqrt(3): incidences against a search, masks by their algebra, limits, and the filter around it.
+// sqrt(3): masks by their algebra, limits. TestSurfaceReplacedEdges.cxx has what 4-8 has, too.
 #include "SurfaceTools.h"
 
 #include "vtkFloatArray.h"
@@ -15,53 +15,6 @@ const double pi = std::acos(-1.);
 double GetRingWeight(int n)
 {
   return (4. - 2. * std::cos(2. * pi / n)) / 9.;
-}
-
-TEST(SurfaceSqrtThree, StepsAreWhatASearchFinds)
-{
-  for (const auto& entry : MakeZoo(true))
-  {
-    SCOPED_TRACE(entry.first);
-    Walk walk(entry.second, Kind);
-    for (int step = 0; step < 4; ++step)
-    {
-      const vtkIdType faces = walk.Level.Mesh.NumberOfFaces;
-      const vtkIdType euler = GetEuler(walk.Level.Mesh);
-      CheckRows(walk);
-      walk.Step();
-      EXPECT_EQ(walk.Level.Mesh.NumberOfFaces, 3 * faces);
-      EXPECT_EQ(GetEuler(walk.Level.Mesh), euler);
-      if (entry.first != "pillow") // its flipped edges have the same ends: a search merges them
-      {
-        CheckIncidences(walk.Level);
-      }
-    }
-  }
-}
-
-TEST(SurfaceSqrtThree, OutputAloneIsTheSame)
-{
-  for (const auto& entry : MakeZoo(true))
-  {
-    SCOPED_TRACE(entry.first);
-    Walk walk(entry.second, Kind);
-    for (int step = 0; step < 3; ++step)
-    {
-      const SurfaceLevel<int> output = walk.Scheme->Refine(walk.Level, Depth::ForOutput);
-      walk.Step();
-      const SurfaceLevel<int>& whole = walk.Level;
-      ASSERT_EQ(output.Mesh.Vertices.size(), whole.Mesh.Vertices.size());
-      EXPECT_TRUE(std::equal(
-        output.Mesh.Vertices.begin(), output.Mesh.Vertices.end(), whole.Mesh.Vertices.begin()));
-      ASSERT_EQ(output.Lines.size(), whole.Lines.size());
-      EXPECT_TRUE(std::equal(output.Lines.begin(), output.Lines.end(), whole.Lines.begin()));
-    }
-  }
-}
-
-TEST(SurfaceSqrtThree, LinesStayConnected)
-{
-  CheckLines(Kind, true, 9);
 }
 
 TEST(SurfaceSqrtThree, SpectrumAroundInteriorVertices)
@@ -162,22 +115,6 @@ TEST(SurfaceSqrtThree, CurvesAreCubicSplinesInThirds)
   EXPECT_EQ(walk.Points[0], line.Points[0]);
 }
 
-TEST(SurfaceSqrtThree, FlatGridsStayExact)
-{
-  Walk walk(MakeSheet(4, 3, true, { 1., 0., 0. }, { 0.5, 0.8, 0.25 }), Kind);
-  for (int step = 0; step < 5; ++step)
-  {
-    const std::vector<Point> before = walk.Points;
-    const std::vector<Point> limit = walk.GetLimit();
-    walk.Step();
-    for (std::size_t v = 0; v < before.size(); ++v)
-    {
-      EXPECT_LT(GetDistance(walk.Points[v], before[v]), 1e-14) << step << " " << v;
-      EXPECT_LT(GetDistance(limit[v], before[v]), 1e-14) << step << " " << v;
-    }
-  }
-}
-
 TEST(SurfaceSqrtThree, LimitsAreThoseOfTheNextLevel)
 {
   for (const auto& entry : MakeZoo(true))
@@ -261,64 +198,6 @@ TEST(SurfaceSqrtThree, TangentPlanesAreThoseOfTheNextLevels)
       }
     }
   }
-}
-
-TEST(SurfaceSqrtThree, CreasesAreBoundariesOnBothSides)
-{
-  Model both = MakeSheet(3, 2, true, { 1., 0., 0. }, { 0., 1., 0. });
-  both.Points = MakeRandomPoints(both.Points.size(), 9);
-  both.Lines = { { 4, 5 }, { 5, 6 }, { 6, 7 } };
-  Model half = both;
-  half.Lines.clear();
-  half.Faces.resize(6);
-  half.Corners.insert(half.Corners.end(), { 4, 7 });
-  Walk whole(both, Kind);
-  Walk part(half, Kind);
-  for (int step = 0; step < 5; ++step)
-  {
-    const std::vector<Point> limits = whole.GetLimit();
-    const std::vector<Point> partLimits = part.GetLimit();
-    for (int c = 0; c < part.Level.Mesh.GetNumberOfCorners(); ++c)
-    {
-      // The faces of the half are the first ones of the whole.
-      const int v = part.Level.Mesh.Vertices[c];
-      const int w = whole.Level.Mesh.Vertices[c];
-      EXPECT_LT(GetDistance(part.Points[v], whole.Points[w]), 1e-14);
-      EXPECT_LT(GetDistance(partLimits[v], limits[w]), 1e-14);
-    }
-    whole.Step();
-    part.Step();
-  }
-}
-
-TEST(SurfaceSqrtThree, AnythingIsSubdivided)
-{
-  CheckRandomFaces(Kind, true);
-}
-
-TEST(SurfaceSqrtThree, FiltersInARowAreOneFilter)
-{
-  for (const auto& entry : MakeZoo(true))
-  {
-    SCOPED_TRACE(entry.first);
-    CheckChaining(entry.second, vtkSurfaceSubdivision::SQRT_THREE);
-  }
-}
-
-TEST(SurfaceSqrtThree, FiltersInARowKeepFlags)
-{
-  CheckChainingOfFlags(true, vtkSurfaceSubdivision::SQRT_THREE);
-}
-
-TEST(SurfaceSqrtThree, ThreadsDoNotChangeTheResult)
-{
-  Model grid = MakeSheet(20, 20, true, { 1., 0., 0. }, { 0., 1., 0. });
-  grid.Points = MakeRandomPoints(grid.Points.size(), 5);
-  for (int i = 0; i < 20; ++i)
-  {
-    grid.Lines.push_back({ 22 * i, 22 * i + 1 });
-  }
-  CheckThreads(grid, vtkSurfaceSubdivision::SQRT_THREE, 4, true);
 }
 
 TEST(SurfaceSqrtThree, CellsTakeTheirDataFromTheFirstOfTheirParents)

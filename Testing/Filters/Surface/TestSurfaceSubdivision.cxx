@@ -1,101 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The surface filter as a filter: threads, messages, storage, hostile input. The algebra of its
 // operator is tested in Python (test_surfaces.py).
-#include "vtkSurfaceSubdivision.h"
+#include "SurfaceTools.h"
 
-#include "Core/Surfaces/Loop/LoopScheme.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
-#include "Core/Surfaces/Steps/SurfaceSteps.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <cstring>
-#include <limits>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace
 {
 
+using namespace surfacetools;
+using multi_dimensional_subdivision_tools::MakeArray;
+using multi_dimensional_subdivision_tools::MakeInThreads;
+using multi_dimensional_subdivision_tools::Messages;
 using Surface = vtkSmartPointer<vtkPolyData>;
 using Ids = std::vector<vtkIdType>;
-
-Surface MakeSurface(const std::vector<std::array<double, 3>>& points, const std::vector<Ids>& faces,
-  const std::vector<Ids>& lines = {})
-{
-  vtkNew<vtkPoints> coordinates;
-  coordinates->SetDataTypeToDouble();
-  for (const auto& point : points)
-  {
-    coordinates->InsertNextPoint(point.data());
-  }
-  auto fill = [](const std::vector<Ids>& from)
-  {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const Ids& ids : from)
-    {
-      cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
-    }
-    return cells;
-  };
-  auto surface = Surface::New();
-  surface->SetPoints(coordinates);
-  surface->SetPolys(fill(faces));
-  surface->SetLines(fill(lines));
-  return surface;
-}
 
 /// A bumpy sheet of quads, some of them two triangles.
 Surface MakeSheet(int n)
 {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> height(0., 1.);
-  std::vector<std::array<double, 3>> points;
-  for (int y = 0; y <= n; ++y)
+  Model model = surfacetools::MakeSheet(n, n, false, { 1., 0., 0. }, { 0., 1., 0. });
+  for (Point& point : model.Points)
   {
-    for (int x = 0; x <= n; ++x)
+    point[2] = height(random);
+  }
+  const Polygons quads = std::exchange(model.Faces, {});
+  for (int i = 0; i < n * n; ++i)
+  {
+    const auto& quad = quads[i];
+    if ((i % n + i / n) % 3 == 0)
     {
-      points.push_back({ x * 1., y * 1., height(random) });
+      model.Faces.push_back({ quad[0], quad[1], quad[2] });
+      model.Faces.push_back({ quad[0], quad[2], quad[3] });
+    }
+    else
+    {
+      model.Faces.push_back(quad);
     }
   }
-  std::vector<Ids> faces;
-  for (int y = 0; y < n; ++y)
-  {
-    for (int x = 0; x < n; ++x)
-    {
-      const vtkIdType a = y * (n + 1) + x;
-      const vtkIdType b = a + n + 1;
-      if ((x + y) % 3 == 0)
-      {
-        faces.push_back({ a, a + 1, b + 1 });
-        faces.push_back({ a, b + 1, b });
-      }
-      else
-      {
-        faces.push_back({ a, a + 1, b + 1, b });
-      }
-    }
-  }
-  return MakeSurface(points, faces);
+  return MakeInput(model);
 }
 
 /// Runs the filter and keeps what it says.
@@ -105,10 +54,7 @@ public:
   explicit Filter(vtkPolyData* input)
   {
     this->Object->SetInputData(input);
-    for (const unsigned long event : { vtkCommand::WarningEvent, vtkCommand::ErrorEvent })
-    {
-      this->Object->AddObserver(event, this, &Filter::Hear);
-    }
+    this->Heard->Watch(this->Object);
   }
   vtkPolyData* operator()()
   {
@@ -116,37 +62,15 @@ public:
     return this->Object->GetOutput();
   }
   vtkSurfaceSubdivision* operator->() { return this->Object; }
-  std::vector<std::string> Warnings;
-  std::vector<std::string> Errors;
 
 private:
-  void Hear(vtkObject*, unsigned long event, void* text)
-  {
-    (event == vtkCommand::ErrorEvent ? this->Errors : this->Warnings)
-      .emplace_back(static_cast<const char*>(text));
-  }
   vtkNew<vtkSurfaceSubdivision> Object;
-};
+  vtkNew<Messages> Heard;
 
-void ExpectSameBits(vtkPolyData* a, vtkPolyData* b)
-{
-  auto same = [](vtkDataArray* p, vtkDataArray* q)
-  {
-    ASSERT_EQ(p->GetNumberOfValues(), q->GetNumberOfValues());
-    ASSERT_EQ(p->GetDataType(), q->GetDataType());
-    EXPECT_EQ(0,
-      std::memcmp(p->GetVoidPointer(0), q->GetVoidPointer(0),
-        static_cast<std::size_t>(p->GetNumberOfValues()) * p->GetDataTypeSize()));
-  };
-  same(a->GetPoints()->GetData(), b->GetPoints()->GetData());
-  same(a->GetPolys()->GetConnectivityArray(), b->GetPolys()->GetConnectivityArray());
-  same(a->GetPolys()->GetOffsetsArray(), b->GetPolys()->GetOffsetsArray());
-  ASSERT_EQ(a->GetPointData()->GetNumberOfArrays(), b->GetPointData()->GetNumberOfArrays());
-  for (int i = 0; i < a->GetPointData()->GetNumberOfArrays(); ++i)
-  {
-    same(a->GetPointData()->GetArray(i), b->GetPointData()->GetArray(i));
-  }
-}
+public:
+  const std::vector<std::string>& Warnings = Heard->Warnings;
+  const std::vector<std::string>& Errors = Heard->Errors;
+};
 
 /// Steps that make about as many faces as `steps` of Loop.
 int FindSteps(int scheme, int steps)
@@ -164,38 +88,29 @@ class SurfaceSchemesTest : public testing::TestWithParam<int>
 TEST_P(SurfaceSchemesTest, ThreadsDoNotChangeTheResult)
 {
   const Surface sheet = MakeSheet(40);
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetName("colours");
-  colours->SetNumberOfComponents(3);
-  for (vtkIdType i = 0; i < 3 * sheet->GetNumberOfPoints(); ++i)
+  const vtkIdType size = sheet->GetNumberOfPoints();
+  sheet->GetPointData()->AddArray(MakeArray<vtkUnsignedCharArray>("colours", 3, size, 0, 256, 1));
+  sheet->GetPointData()->AddArray(MakeArray<vtkIntArray>("labels", 1, size, 0, 7, 2));
+  for (const bool hasCreases : { false, true }) // without them levels may be skipped
   {
-    colours->InsertNextValue(static_cast<unsigned char>(37 * i));
+    for (vtkIdType i = 0; i < 20 && hasCreases; ++i)
+    {
+      sheet->GetLines()->InsertNextCell({ 42 * i, 42 * i + 1 });
+    }
+    const Surface result = MakeInThreads(
+      [&]
+      {
+        Filter run(sheet);
+        run->SetScheme(GetParam());
+        run->SetNumberOfLevels(FindSteps(GetParam(), 3));
+        run->SetProjectToLimit(true);
+        run->SetGenerateLimitNormals(true);
+        const Surface output = run();
+        EXPECT_TRUE(run.Errors.empty());
+        return output;
+      });
+    EXPECT_GT(result->GetNumberOfPolys(), 60000);
   }
-  sheet->GetPointData()->AddArray(colours);
-  vtkNew<vtkIntArray> labels;
-  labels->SetName("labels");
-  for (vtkIdType i = 0; i < sheet->GetNumberOfPoints(); ++i)
-  {
-    labels->InsertNextValue(static_cast<int>(i % 7));
-  }
-  sheet->GetPointData()->AddArray(labels);
-  Surface results[2];
-  for (int threads : { 1, 4 })
-  {
-    vtkSMPTools::Initialize(threads);
-    Filter run(sheet);
-    run->SetScheme(GetParam());
-    run->SetNumberOfLevels(FindSteps(GetParam(), 3));
-    run->SetProjectToLimit(true);
-    run->SetGenerateLimitNormals(true);
-    Surface& result = results[threads > 1];
-    result = Surface::New();
-    result->ShallowCopy(run());
-    EXPECT_TRUE(run.Errors.empty());
-  }
-  vtkSMPTools::Initialize(0);
-  EXPECT_GT(results[0]->GetNumberOfPolys(), 60000);
-  ExpectSameBits(results[0], results[1]);
 }
 
 TEST_P(SurfaceSchemesTest, CacheGivesTheSameBits)
@@ -232,20 +147,8 @@ TEST_P(SurfaceSchemesTest, NarrowIdsHoldTheSame)
   wide->SetScheme(GetParam());
   narrow->SetScheme(GetParam());
   narrow->SetUse32BitIds(true);
-  ASSERT_EQ(wide()->GetNumberOfPolys(), narrow()->GetNumberOfPolys());
+  ExpectSameBits(wide(), narrow());
   EXPECT_FALSE(narrow()->GetPolys()->IsStorage64Bit());
-  for (vtkIdType c = 0; c < wide()->GetNumberOfCells(); ++c)
-  {
-    vtkNew<vtkIdList> a;
-    vtkNew<vtkIdList> b;
-    wide()->GetCellPoints(c, a);
-    narrow()->GetCellPoints(c, b);
-    ASSERT_EQ(a->GetNumberOfIds(), b->GetNumberOfIds());
-    for (vtkIdType i = 0; i < a->GetNumberOfIds(); ++i)
-    {
-      EXPECT_EQ(a->GetId(i), b->GetId(i));
-    }
-  }
 }
 
 TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
@@ -253,14 +156,8 @@ TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
   // Random triangles on few points: edges of many faces, pinched vertices, equal triangles.
   std::mt19937 random(11);
   std::uniform_int_distribution<vtkIdType> point(0, 11);
-  std::uniform_real_distribution<double> coordinate(-1., 1.);
-  for (int trial = 0; trial < 20; ++trial)
+  for (unsigned trial = 0; trial < 20; ++trial)
   {
-    std::vector<std::array<double, 3>> points(12);
-    for (auto& p : points)
-    {
-      p = { coordinate(random), coordinate(random), coordinate(random) };
-    }
     std::vector<Ids> faces;
     for (int i = 0; i < 25; ++i)
     {
@@ -270,7 +167,7 @@ TEST_P(SurfaceSchemesTest, NonManifoldInputIsNeverRefused)
         faces.push_back(ids);
       }
     }
-    Filter run(MakeSurface(points, faces, { { 0, 1, 5 }, { 3, 9 } }));
+    Filter run(MakeInput(MakeRandomPoints(12, trial), faces, { { 0, 1, 5 }, { 3, 9 } }));
     run->SetScheme(GetParam());
     run->SetNumberOfLevels(FindSteps(GetParam(), 2));
     run->SetProjectToLimit(true);
@@ -298,7 +195,7 @@ TEST_P(SurfaceSchemesTest, NothingInNothingOut)
   Filter run(Surface::New());
   run->SetScheme(GetParam());
   EXPECT_EQ(run()->GetNumberOfPoints(), 0);
-  Filter points(MakeSurface({ { 1., 2., 3. } }, {}));
+  Filter points(MakeInput({ { 1., 2., 3. } }, {}));
   points->SetScheme(GetParam());
   EXPECT_EQ(points()->GetNumberOfPoints(), 1);
   EXPECT_TRUE(run.Errors.empty() && points.Errors.empty());
@@ -313,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(SurfaceSubdivision, SurfaceSchemesTest,
 TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 {
   const Surface strip =
-    MakeSurface({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 1., 1., 0. } }, {});
+    MakeInput({ { 0., 0., 0. }, { 1., 0., 0. }, { 0., 1., 0. }, { 1., 1., 0. } }, {});
   vtkNew<vtkCellArray> strips;
   strips->InsertNextCell({ 0, 1, 2, 3 });
   strip->SetStrips(strips);
@@ -334,10 +231,10 @@ TEST(SurfaceSubdivision, StripsBecomeTrianglesInPlace)
 
 TEST(SurfaceSubdivision, PolygonsWithARepeatedPointCollapseOrAreLeftOut)
 {
-  const std::vector<std::array<double, 3>> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 },
-    { 0, 1, 0 }, { 1, 1, 0 }, { 2, 1, 0 } };
+  const std::vector<Point> points = { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 1, 0 },
+    { 1, 1, 0 }, { 2, 1, 0 } };
   // The second one names a point twice in a row, the third one at two places.
-  Filter filter(MakeSurface(points, { { 0, 1, 4, 3 }, { 1, 1, 2, 5, 4 }, { 0, 1, 2, 1, 4 } }));
+  Filter filter(MakeInput(points, { { 0, 1, 4, 3 }, { 1, 1, 2, 5, 4 }, { 0, 1, 2, 1, 4 } }));
   filter->SetScheme(vtkSurfaceSubdivision::CATMULL_CLARK);
   filter->SetNumberOfLevels(0);
   vtkCellArray* polys = filter()->GetPolys();

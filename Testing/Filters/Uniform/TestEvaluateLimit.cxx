@@ -4,7 +4,7 @@
  * The limit at places of cells: against the projected points of fine levels, closed formulas, and
  * differences.
  */
-#include "MultiDimensionalSubdivisionTools.h"
+#include "LimitProbeTools.h"
 #include "PlaceTools.h"
 
 #include "vtkPolyData.h"
@@ -18,30 +18,9 @@ namespace
 
 using Filter = vtkMultiDimensionalSubdivision;
 
-Point GetTuple(vtkPolyData* result, const char* name, vtkIdType i)
-{
-  Point p{};
-  result->GetPointData()->GetArray(name)->GetTuple(i, p.data());
-  return p;
-}
-
-Grid InDouble(vtkPointSet* mesh)
-{
-  const auto copy = Grid::New();
-  copy->DeepCopy(mesh);
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->DeepCopy(mesh->GetPoints());
-  copy->SetPoints(points);
-  return copy;
-}
-
 Grid MakeModel(int model)
 {
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  const Grid grid = InDouble(source->GetOutput());
+  const Grid grid = InDouble(LoadModel(model));
   grid->GetPointData()->AddArray(
     MakeArray<vtkDoubleArray>("Random", 2, grid->GetNumberOfPoints(), -1., 1., 7));
   return grid;
@@ -195,28 +174,6 @@ Grid MakeStar(vtkIdType n, bool isSolid, bool hasCurve = true)
   return grid;
 }
 
-/// A surface with vertices of 3 to 8 triangles, and a boundary.
-Grid MakeSurface()
-{
-  std::vector<Point> points;
-  std::vector<Cell> cells;
-  for (int i = 0; i < 36; ++i)
-  {
-    points.push_back(
-      { i % 6 + 0.2 * std::sin(3. * i), i / 6 + 0.2 * std::sin(5. * i + 1.), std::sin(0.7 * i) });
-  }
-  for (vtkIdType i = 0; i < 29; ++i)
-  {
-    if (i % 6 < 5)
-    {
-      const bool turned = i % 4 == 1;
-      cells.push_back({ VTK_TRIANGLE, { i, i + 1, turned ? i + 6 : i + 7 } });
-      cells.push_back({ VTK_TRIANGLE, { turned ? i + 1 : i, i + 7, i + 6 } });
-    }
-  }
-  return MakeGrid(points, cells);
-}
-
 }
 
 TEST(EvaluateLimit, CurvesAreCubicBSplines)
@@ -269,7 +226,7 @@ TEST(EvaluateLimit, CurvesAreCubicBSplines)
 
 TEST(EvaluateLimit, SurfacesAgainstLevels)
 {
-  const Grid input = MakeSurface();
+  const Grid input = limit_probe_tools::MakeWavySurface(0.2, 1.);
   for (const int levels : { 0, 2, 6 })
   {
     SCOPED_TRACE(levels);
@@ -373,7 +330,7 @@ TEST(EvaluateLimit, PlacesBesideFacesByRounding)
 
 TEST(EvaluateLimit, SemiSharpCreases)
 {
-  const Grid input = MakeSurface();
+  const Grid input = limit_probe_tools::MakeWavySurface(0.2, 1.);
   const vtkIdType crease[3] = { 14, 15, 16 };
   for (int i = 0; i < 2; ++i)
   {
@@ -394,7 +351,7 @@ TEST(EvaluateLimit, SemiSharpCreases)
 /// Derivatives are what values differ by, inside cells and near extraordinary vertices.
 TEST(EvaluateLimit, DerivativesAreDifferences)
 {
-  const Grid surface = MakeSurface();
+  const Grid surface = limit_probe_tools::MakeWavySurface(0.2, 1.);
   const Grid solid = MakeModel(vtkSubdivisionModelSource::MECHANICAL_PART);
   for (const Grid& input : { surface, solid })
   {
@@ -448,7 +405,7 @@ TEST(EvaluateLimit, DerivativesAreDifferences)
 /// The curvatures of a surface, from differences of its derivatives.
 TEST(EvaluateLimit, CurvaturesAreThoseOfDifferences)
 {
-  const Grid input = MakeSurface();
+  const Grid input = limit_probe_tools::MakeWavySurface(0.2, 1.);
   vtkNew<Filter> filter;
   filter->SetInputData(input);
   const double h = 1. / 4096.;

@@ -6,6 +6,7 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 #include "PlaceTools.h"
+#include "PointTools.h"
 
 #include "vtkPolyData.h"
 
@@ -16,6 +17,7 @@
 
 using namespace multi_dimensional_subdivision_tools;
 using namespace place_tools;
+using namespace point_tools;
 
 namespace
 {
@@ -81,18 +83,6 @@ vtkSmartPointer<vtkPolyData> EvaluateTetOct(vtkUnstructuredGrid* grid, const Pla
   return Evaluate(filter.Get(), places);
 }
 
-Point GetTuple(vtkPolyData* result, const char* name, vtkIdType i)
-{
-  Point p{};
-  result->GetPointData()->GetArray(name)->GetTuple(i, p.data());
-  return p;
-}
-
-double GetDistance(const Point& a, const Point& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 }
 
 /// All places with parameters that are multiples of 1/4 are vertices of level 2, and the only ones:
@@ -133,10 +123,10 @@ TEST(EvaluateLimitTetOct, LatticesAreVerticesOfALevel)
       {
         const Point x = GetPoint(result, i);
         nearest =
-          GetDistance(GetPoint(fine, p), x) < GetDistance(GetPoint(fine, nearest), x) ? p : nearest;
+          Distance(GetPoint(fine, p), x) < Distance(GetPoint(fine, nearest), x) ? p : nearest;
       }
       isMet[static_cast<std::size_t>(nearest)] = true;
-      ASSERT_LT(GetDistance(GetPoint(fine, nearest), GetPoint(result, i)), 1e-12) << i;
+      ASSERT_LT(Distance(GetPoint(fine, nearest), GetPoint(result, i)), 1e-12) << i;
       ASSERT_NEAR(values->GetComponent(i, 0), fineValues->GetComponent(nearest, 0), 1e-12) << i;
     }
     // The octahedra of the last level are written in pieces with their centres, of level 3.
@@ -186,7 +176,7 @@ TEST(EvaluateLimitTetOct, DerivativesAreDifferences)
   common.Add(2, { 0.3, 0., 0.41 });
   common.Add(3, { 0.3, 0.41, 0. });
   const auto twice = EvaluateTetOct(grid, common);
-  EXPECT_LT(GetDistance(GetPoint(twice, 0), GetPoint(twice, 1)), 1e-13);
+  EXPECT_LT(Distance(GetPoint(twice, 0), GetPoint(twice, 1)), 1e-13);
 }
 
 /// One tetrahedron is symmetric, and so is its limit.
@@ -269,8 +259,8 @@ TEST(EvaluateLimitTetOct, FiltersInARow)
         {
           for (vtkIdType k = 35 * control; k < 35 * (control + 1); ++k)
           {
-            if (GetDistance(
-                  GetPoint(known, k), GetPoint(found, 5 * static_cast<vtkIdType>(n) + i)) < 1e-11)
+            if (Distance(GetPoint(known, k), GetPoint(found, 5 * static_cast<vtkIdType>(n) + i)) <
+              1e-11)
             {
               Point p{};
               lattice.Parameters->GetTuple(k, p.data());
@@ -305,7 +295,7 @@ TEST(EvaluateLimitTetOct, FiltersInARow)
     {
       const auto control = static_cast<vtkIdType>(n);
       const vtkIdType place = 5 * control + 4;
-      EXPECT_LT(GetDistance(GetPoint(expected, control), GetPoint(found, place)), 1e-12) << n;
+      EXPECT_LT(Distance(GetPoint(expected, control), GetPoint(found, place)), 1e-12) << n;
       EXPECT_NEAR(expected->GetPointData()->GetArray("Random")->GetComponent(control, 0),
         found->GetPointData()->GetArray("Random")->GetComponent(place, 0), 1e-12);
       for (int d = 0; d < 3; ++d)

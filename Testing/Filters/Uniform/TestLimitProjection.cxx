@@ -46,15 +46,6 @@ void ExpectSameAtPoints(vtkUnstructuredGrid* few, vtkUnstructuredGrid* many, dou
   }
 }
 
-Configure And(const Configure& a, const Configure& b)
-{
-  return [a, b](Filter* filter)
-  {
-    a(filter);
-    b(filter);
-  };
-}
-
 /// A mixed box with values, sharp lines of all kinds, and parts.
 Grid MakeBoxWithFeatures()
 {
@@ -261,17 +252,10 @@ TEST(LimitProjection, ANextFilterTakesTheOutputForAMeshLikeAnyOther)
 TEST(LimitProjection, SameBitsForAnyNumberOfThreads)
 {
   const Grid input = MakeKuhnBox(6, 0.2, 3);
-  const std::string before = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
   for (const Configure& configure : { Projected, And(Projected, TetOct) })
   {
-    vtkSMPTools::Initialize(1);
-    const Grid one = Execute(input, 1, configure);
-    vtkSMPTools::Initialize(3);
-    EXPECT_EQ(Compare(Execute(input, 1, configure), one), "");
+    MakeInThreads([&] { return Execute(input, 1, configure); });
   }
-  vtkSMPTools::SetBackend(before.c_str());
-  vtkSMPTools::Initialize(0);
 }
 
 TEST(LimitProjection, NormalsOfASphere)

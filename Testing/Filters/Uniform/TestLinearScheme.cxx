@@ -19,23 +19,6 @@ namespace
 
 const Configure Linear = [](Filter* filter) { filter->SetVolumeSchemeToLinear(); };
 
-Configure And(const Configure& a, const Configure& b)
-{
-  return [a, b](Filter* filter)
-  {
-    a(filter);
-    b(filter);
-  };
-}
-
-Grid MakeModel(int model)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  return DeepCopy(source->GetOutput());
-}
-
 /// The volume, area and length of all cells.
 std::array<double, 3> Measure(vtkUnstructuredGrid* grid)
 {
@@ -76,7 +59,7 @@ TEST(LinearScheme, CellsAreThoseOfTheBoxSplineAndPointsStay)
   for (int model = 0; model < 8; ++model)
   {
     SCOPED_TRACE(model);
-    const Grid input = MakeModel(model);
+    const Grid input = LoadModel(model);
     vtkNew<Messages> messages;
     const Grid smooth = Execute(input, 2, {}, messages);
     const Grid output = Execute(input, 2, Linear);

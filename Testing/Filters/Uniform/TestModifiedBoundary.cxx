@@ -338,23 +338,17 @@ TEST(ModifiedBoundary, PlacesAreThoseOfTheSurfaceFilter)
 TEST(ModifiedBoundary, ThreadsDoNotMatter)
 {
   const Grid box = MakeBox();
-  const auto run = [&](int threads)
-  {
-    vtkSMPTools::Initialize(threads);
-    return Execute(box, 3,
-      [](Filter* filter)
-      {
-        UseFeatures(filter);
-        filter->ProjectToLimitOn();
-        filter->GenerateLimitNormalsOn();
-      });
-  };
-  const std::string before = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-  const Grid one = run(1);
-  EXPECT_EQ(Compare(one, run(4)), "");
-  vtkSMPTools::SetBackend(before.c_str());
-  vtkSMPTools::Initialize(0);
+  MakeInThreads(
+    [&]
+    {
+      return Execute(box, 3,
+        [](Filter* filter)
+        {
+          UseFeatures(filter);
+          filter->ProjectToLimitOn();
+          filter->GenerateLimitNormalsOn();
+        });
+    });
 }
 
 TEST(ModifiedBoundary, OnlyAnglesOfCornersChangeTheOperator)

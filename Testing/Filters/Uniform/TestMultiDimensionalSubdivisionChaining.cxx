@@ -21,15 +21,6 @@ using namespace multi_dimensional_subdivision_tools;
 namespace
 {
 
-Grid MakeModel(int model, int precision)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->SetOutputPointsPrecision(precision);
-  source->Update();
-  return DeepCopy(source->GetOutput());
-}
-
 /// 0 + 3 = 3 = 1 + 1 + 1 = 2 + 1, with files in between too.
 void ExpectChains(vtkUnstructuredGrid* input, Options options)
 {
@@ -63,7 +54,7 @@ class ChainingOfModel : public testing::TestWithParam<std::tuple<int, int>>
 TEST_P(ChainingOfModel, GivesTheSame)
 {
   const auto [model, precision] = GetParam();
-  const Grid grid = MakeModel(model, precision);
+  const Grid grid = LoadModel(model, precision);
   ASSERT_EQ(grid->GetPoints()->GetDataType(),
     precision == vtkAlgorithm::SINGLE_PRECISION ? VTK_FLOAT : VTK_DOUBLE);
   AddArrays(grid);
@@ -167,7 +158,7 @@ TEST(MultiDimensionalSubdivisionChaining, CentreOfAWedgeThatCannotBeSplit)
 
 TEST(MultiDimensionalSubdivisionChaining, StampIsWrittenOnce)
 {
-  const Grid one = Subdivide(MakeModel(0, vtkAlgorithm::DOUBLE_PRECISION), 1);
+  const Grid one = Subdivide(LoadModel(0, vtkAlgorithm::DOUBLE_PRECISION), 1);
   const Grid two = Subdivide(one, 1);
   for (const Grid& grid : { one, two })
   {

@@ -24,15 +24,6 @@ const Configure Interpolating = [](Filter* filter)
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
 };
 
-Configure And(const Configure& a, const Configure& b)
-{
-  return [a, b](Filter* filter)
-  {
-    a(filter);
-    b(filter);
-  };
-}
-
 /// Runs the filter; only warnings of overshoot and of inverted solids are allowed.
 Grid Interpolate(vtkDataObject* input, int levels, const Configure& configure = {})
 {
@@ -88,14 +79,6 @@ void ExpectInterpolated(vtkPointSet* input, vtkUnstructuredGrid* output)
 const Configure Projected = [](Filter* filter) { filter->ProjectToLimitOn(); };
 const Configure TetOct = [](Filter* filter) { filter->SetVolumeSchemeToTetOct(); };
 
-Grid GetModel(int model)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->Update();
-  return DeepCopy(source->GetOutput());
-}
-
 Grid MakeBoxWithSharpness()
 {
   const Grid grid = MakeMixedBox(2);
@@ -130,7 +113,7 @@ TEST(MultiDimensionalSubdivisionInterpolation, TheLimitPassesThroughTheInput)
     } };
   for (int model = 0; model < 8; ++model)
   {
-    const Grid input = GetModel(model);
+    const Grid input = LoadModel(model);
     for (std::size_t rule = 0; rule < rules.size(); ++rule)
     {
       SCOPED_TRACE(testing::Message() << "model " << model << ", rules " << rule);
@@ -362,14 +345,7 @@ TEST(MultiDimensionalSubdivisionInterpolation, OvershootIsCounted)
 TEST(MultiDimensionalSubdivisionInterpolation, SameBitsForAnyNumberOfThreads)
 {
   const Grid input = MakeKuhnBox(20, 0.2, 3); // more points than a loop without threads has
-  const std::string before = vtkSMPTools::GetBackend();
-  ASSERT_TRUE(vtkSMPTools::SetBackend("STDThread"));
-  vtkSMPTools::Initialize(1);
-  const Grid one = Interpolate(input, 0);
-  vtkSMPTools::Initialize(3);
-  EXPECT_EQ(Compare(Interpolate(input, 0), one), "");
-  vtkSMPTools::SetBackend(before.c_str());
-  vtkSMPTools::Initialize(0);
+  MakeInThreads([&] { return Interpolate(input, 0); });
 }
 
 TEST(MultiDimensionalSubdivisionInterpolation, Files)

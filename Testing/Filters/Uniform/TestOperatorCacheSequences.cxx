@@ -14,16 +14,6 @@ using namespace operator_cache_tools;
 namespace
 {
 
-vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Grid>& grids)
-{
-  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  for (const Grid& grid : grids)
-  {
-    blocks->SetBlock(blocks->GetNumberOfBlocks(), grid);
-  }
-  return blocks;
-}
-
 void ExpectBlocks(Kept& filter, const std::vector<Grid>& grids, const Configure& configure = {})
 {
   filter->JoinBlocksOff();

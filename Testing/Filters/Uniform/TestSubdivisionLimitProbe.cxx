@@ -15,28 +15,6 @@ using namespace limit_probe_tools;
 namespace
 {
 
-/// A surface with bumps and a boundary.
-Grid MakeSurface()
-{
-  std::vector<Point> points;
-  std::vector<Cell> cells;
-  for (int i = 0; i < 36; ++i)
-  {
-    points.push_back({ i % 6 + 0.1 * std::sin(3. * i), i / 6 + 0.1 * std::sin(5. * i + 1.),
-      0.4 * std::sin(0.7 * i) });
-  }
-  for (vtkIdType i = 0; i < 29; ++i)
-  {
-    if (i % 6 < 5)
-    {
-      const bool turned = i % 4 == 1;
-      cells.push_back({ VTK_TRIANGLE, { i, i + 1, turned ? i + 6 : i + 7 } });
-      cells.push_back({ VTK_TRIANGLE, { turned ? i + 1 : i, i + 7, i + 6 } });
-    }
-  }
-  return MakeGrid(points, cells);
-}
-
 /// Switches ModifiedBoundary on, with angles of corners.
 struct ModifyBoundary
 {
@@ -59,13 +37,13 @@ TEST(SubdivisionLimitProbe, NoVertexOfAFineLevelIsNearer)
   {
     targets.push_back({ 7. * draw() - 1., 6. * draw() - 1., draw() - 0.5 }); // some beside it
   }
-  ExpectNoVertexIsNearer(MakeSurface(), targets, 5, 0.03); // vertices are as far apart
+  ExpectNoVertexIsNearer(MakeWavySurface(0.1, 0.4), targets, 5, 0.03); // vertices are as far apart
 }
 
 /// A place that was moved along the normal is found again; so are places on curves.
 TEST(SubdivisionLimitProbe, FootPoints)
 {
-  const Grid mesh = MakeSurface();
+  const Grid mesh = MakeWavySurface(0.1, 0.4);
   const vtkIdType line[3] = { 40, 41, 42 };
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -231,7 +209,7 @@ TEST(SubdivisionLimitProbe, OfTheLinearSchemeAreOnTheMesh)
 /// The limit is that of ModifiedBoundary, next to borders, creases and corners with an angle.
 TEST(SubdivisionLimitProbe, FootPointsOfModifiedBoundary)
 {
-  const Grid mesh = MakeSurface();
+  const Grid mesh = MakeWavySurface(0.1, 0.4);
   mesh->GetPointData()->AddArray(
     MakeArray<vtkDoubleArray>("Angle", 1, mesh->GetNumberOfPoints(), 60., 160., 3));
   const vtkIdType crease[3] = { 14, 15, 16 };

@@ -12,15 +12,6 @@ using namespace tet_oct_filter_tools;
 namespace
 {
 
-Grid MakeModel(int model, int precision)
-{
-  vtkNew<vtkSubdivisionModelSource> source;
-  source->SetModel(model);
-  source->SetOutputPointsPrecision(precision);
-  source->Update();
-  return DeepCopy(source->GetOutput());
-}
-
 class TetOctOfModel : public testing::TestWithParam<int>
 {
 };
@@ -31,7 +22,7 @@ TEST_P(TetOctOfModel, FiltersInARowGiveTheSame)
 {
   for (int precision : { vtkAlgorithm::SINGLE_PRECISION, vtkAlgorithm::DOUBLE_PRECISION })
   {
-    const Grid grid = MakeModel(GetParam(), precision);
+    const Grid grid = LoadModel(GetParam(), precision);
     AddArrays(grid);
     ExpectChains(grid,
       [](Filter* filter)

@@ -1,34 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Operators and cells that are made without being stored: they are those that Refine stores.
+#include "TetOctTools.h"
+
+#include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/Scheme/ChildRows.h"
-#include "CoreZoo.h"
 
 #include <gtest/gtest.h>
 
 #include <mutex>
 
-using namespace coretest;
+using namespace tetoct_tools;
 
 namespace
 {
 
+template <typename Scheme>
+using RowsOf = ChildRows<typename Scheme::template Split<int>>;
+
 /// Everything that makes a row.
 struct RowContent
 {
+  char Kind = 0; ///< v, e, o; 0: not handed over
   int Rule = -1;
   int Type = -1;
   vtkIdType Column = -1; ///< of a vertex
   std::vector<int> Ends;
   std::vector<int> Ring;
+  std::vector<int> Tets; ///< at the spokes of a control vertex
   bool operator==(const RowContent& other) const
   {
-    return this->Rule == other.Rule && this->Type == other.Type && this->Column == other.Column &&
-      this->Ends == other.Ends && this->Ring == other.Ring;
+    return this->Kind == other.Kind && this->Rule == other.Rule && this->Type == other.Type &&
+      this->Column == other.Column && this->Ends == other.Ends && this->Ring == other.Ring &&
+      this->Tets == other.Tets;
   }
 };
 
 /// All rows in order; fails when one is not handed over exactly once.
-std::vector<RowContent> Collect(const RingOperator<int>& operation, vtkIdType vertices)
+std::vector<RowContent> Collect(const RingOperator<int>& operation)
 {
   std::vector<RowContent> all(operation.GetNumberOfRows());
   std::mutex mutex;
@@ -38,70 +46,164 @@ std::vector<RowContent> Collect(const RingOperator<int>& operation, vtkIdType ve
       const std::lock_guard<std::mutex> lock(mutex);
       for (vtkIdType i = 0; i < rows.Count; ++i)
       {
-        const vtkIdType row = rows.FirstRow + i;
-        ASSERT_LT(row, static_cast<vtkIdType>(all.size()));
-        ASSERT_EQ(rows.OfEdges, row >= vertices);
-        ASSERT_EQ(all[row].Rule, -1) << row;
-        all[row].Rule = static_cast<int>(rows.Strata[i].GetRule());
-        all[row].Type = rows.Strata[i].GetType();
+        ASSERT_LT(rows.FirstRow + i, static_cast<vtkIdType>(all.size()));
+        RowContent& row = all[rows.FirstRow + i];
+        ASSERT_EQ(row.Kind, 0) << rows.FirstRow + i;
+        row.Kind = rows.OfCentres ? 'o' : rows.OfEdges ? 'e' : 'v';
+        const Row<int> ring = rows.GetRing(i);
+        row.Ring.assign(ring.begin(), ring.end());
+        if (rows.OfCentres)
+        {
+          continue;
+        }
+        row.Rule = static_cast<int>(rows.Strata[i].GetRule());
+        row.Type = rows.Strata[i].GetType();
+        if (!rows.OfEdges)
+        {
+          row.Column = rows.GetColumn(i);
+        }
         if (rows.OfEdges)
         {
-          all[row].Ends.assign(rows.Ends + 2 * i, rows.Ends + 2 * i + 2);
+          row.Ends.assign(rows.Ends + 2 * i, rows.Ends + 2 * i + 2);
         }
-        else
+        else if (rows.HasCounts(i))
         {
-          all[row].Column = rows.GetColumn(i);
+          const int* tets = rows.Counts + rows.Offsets[i];
+          row.Tets.assign(tets, tets + ring.size());
         }
-        const Row<int> ring = rows.GetRing(i);
-        all[row].Ring.assign(ring.begin(), ring.end());
       }
     });
   return all;
 }
 
-void ExpectSameOnTheFly(const Subdivided<int>& level)
+void Write(const Subdivided<int>& level, int depth, const std::vector<double>&, WrittenCells& cells)
 {
-  const Subdivided<int> children = RefineOnce(level);
+  depth == 1 ? WriteChildren(level.Level.Complex, level.Runs, cells.GetStorage())
+             : WriteGrandchildren(level.Level.Complex, level.Runs, cells.GetStorage());
+}
+
+void Write(
+  const TetOctMesh<int>& level, int depth, const std::vector<double>& points, WrittenCells& cells)
+{
+  depth == 1 ? WriteTetOctChildren(level.Level, level.Runs, points.data(), cells.GetStorage())
+             : WriteTetOctGrandchildren(level.Level, level.Runs, points.data(), cells.GetStorage());
+}
+
+/// The same cells, whichever diagonals of octahedra the points ask for.
+template <typename AnyLevel>
+void ExpectSameCells(
+  const AnyLevel& level, const AnyLevel& children, const std::vector<double>& points)
+{
+  WrittenCells made(CountCells(RefineRuns(level.Runs, 2)));
+  Write(level, 2, points, made);
+  WrittenCells expected(CountCells(RefineRuns(children.Runs, 1)));
+  Write(children, 1, points, expected);
+  ASSERT_EQ(made.Connectivity, expected.Connectivity);
+  ASSERT_EQ(made.Offsets, expected.Offsets);
+  ASSERT_EQ(made.Types, expected.Types);
+}
+
+vtkIdType CountOctahedra(const Level<int>&)
+{
+  return 0;
+}
+
+vtkIdType CountOctahedra(const TetOctLevel<int>& level)
+{
+  return level.NumberOfOctahedra;
+}
+
+template <typename Scheme, typename AnyLevel>
+void ExpectSameOnTheFly(const AnyLevel& level)
+{
+  const AnyLevel children = RefineOnce(level);
+  const auto stored = Collect(LevelRows<int>(children.Level));
+  const RowsOf<Scheme> rows(level.Level);
   const vtkIdType vertices = children.Level.Complex.NumberOfVertices;
-  const auto stored = Collect(LevelRows<int>(children.Level), vertices);
-  ASSERT_EQ(static_cast<vtkIdType>(stored.size()), vertices + children.Level.Complex.NumberOfEdges);
-  for (std::size_t row = 0; row < stored.size(); ++row)
-  {
-    ASSERT_GE(stored[row].Rule, 0) << row;
-  }
-  const auto made = Collect(ChildRows<BoxSplineSplit<int>>(level.Level), vertices);
+  const vtkIdType edges = children.Level.Complex.NumberOfEdges;
+  ASSERT_EQ(rows.GetNumberOfVertices(), vertices);
+  ASSERT_EQ(rows.GetNumberOfEdges(), edges);
+  ASSERT_EQ(rows.GetNumberOfRows(), vertices + edges + CountOctahedra(children.Level));
+  const auto made = Collect(rows);
   ASSERT_EQ(made.size(), stored.size());
   for (std::size_t row = 0; row < stored.size(); ++row)
   {
+    const auto at = static_cast<vtkIdType>(row);
+    ASSERT_EQ(stored[row].Kind, at < vertices ? 'v' : at < vertices + edges ? 'e' : 'o') << row;
     ASSERT_TRUE(made[row] == stored[row]) << row;
   }
-  if (!HasEqualCells(level.Level.Complex))
+  if (HasEqualCells(level.Level.Complex))
   {
-    WrittenCells written(CountCells(RefineRuns(level.Runs, 2)));
-    WriteGrandchildren(level.Level.Complex, level.Runs, written.GetStorage());
-    WrittenCells expected(CountCells(RefineRuns(children.Runs, 1)));
-    WriteChildren(children.Level.Complex, children.Runs, expected.GetStorage());
-    ASSERT_EQ(written.Connectivity, expected.Connectivity);
-    ASSERT_EQ(written.Offsets, expected.Offsets);
-    ASSERT_EQ(written.Types, expected.Types);
+    return;
   }
+  std::mt19937 random(5);
+  std::vector<double> points(3 * stored.size());
+  std::generate(points.begin(), points.end(), [&random] { return random() / 4294967296.; });
+  ExpectSameCells(level, children, points);
+  ExpectSameCells(level, children, std::vector<double>(points.size(), 1.)); // all diagonals tie
 }
+
+template <typename Scheme>
+class ChildRowsOf : public testing::Test
+{
+};
+using Schemes = testing::Types<OfBoxSpline, OfTetOct>;
+TYPED_TEST_SUITE(ChildRowsOf, Schemes);
 
 }
 
-TEST(CoreChildRows, AreThoseOfTheStoredLevel)
+TYPED_TEST(ChildRowsOf, AreThoseOfTheStoredLevel)
 {
   for (JointRule rule : { JointRule::Blend, JointRule::Sharp, JointRule::FollowDimension2 })
   {
     StrataOptions options;
     options.Type1 = options.Type2 = options.Type3 = rule;
-    for (const Mesh& mesh : MakeZooAndRandom())
+    ForEachMesh(
+      [&](const Mesh& mesh)
+      {
+        const auto level = TypeParam::Make(mesh, options);
+        ExpectSameOnTheFly<TypeParam>(level);
+        ExpectSameOnTheFly<TypeParam>(RefineOnce(level));
+      });
+  }
+}
+
+TYPED_TEST(ChildRowsOf, ManyBlocks)
+{
+  const auto level = TypeParam::Make(MakeLattice("many", 8, 1., 1).Control);
+  ASSERT_GT(level.Level.Complex.NumberOfEdges, 2000);
+  ExpectSameOnTheFly<TypeParam>(RefineOnce(level));
+}
+
+// What a filter does in its last two steps.
+TYPED_TEST(ChildRowsOf, SumsAreThoseOfTheStoredOperators)
+{
+  const Mesh mesh = MakeLattice("Lattice", 4, 0.3, 11).Control;
+  const auto level = RefineOnce(TypeParam::Make(mesh));
+  std::mt19937 random(3);
+  for (int components : { 1, 2, 3 })
+  {
+    std::vector<double> values(level.Level.Complex.NumberOfVertices * components);
+    std::generate(values.begin(), values.end(), [&random] { return random() / 4294967296.; });
+    auto apply = [components](const auto& operation, const std::vector<double>& in)
     {
-      SCOPED_TRACE(mesh.Name);
-      const Subdivided<int> level = Build<int>(mesh.Cells, mesh.Singular, options);
-      ExpectSameOnTheFly(level);
-      ExpectSameOnTheFly(RefineOnce(level));
+      std::vector<double> out(operation.GetNumberOfRows() * components);
+      operation.ForRows(
+        [&](const RingRows<int>& rows) { SumRows(rows, in.data(), out.data(), components); });
+      return out;
+    };
+    const std::vector<double> made =
+      apply(RowsOf<TypeParam>(level.Level), apply(LevelRows<int>(level.Level), values));
+    std::vector<double> expected = values;
+    const auto children = RefineOnce(level);
+    for (const auto* step : { &level, &children })
+    {
+      const Stencils<int> stencils = CopyStencils(step->Level);
+      std::vector<double> next(stencils.GetNumberOfRows() * components);
+      stencils.Apply(expected.data(), next.data(), components);
+      expected = std::move(next);
     }
+    ASSERT_EQ(made, expected);
   }
 }
 
@@ -134,8 +236,8 @@ TEST(CoreChildRows, OfSelectedParts)
     const Rows rows(level, &selection);
     const Rows all(level);
     ASSERT_EQ(rows.GetNumberOfColumns(), all.GetNumberOfColumns());
-    const auto found = Collect(rows, rows.GetNumberOfVertices());
-    const auto expected = Collect(all, all.GetNumberOfVertices());
+    const auto found = Collect(rows);
+    const auto expected = Collect(all);
     std::vector<vtkIdType> numbers; // of the selected rows among all
     const auto add = [&](const Buffer<int>& selected, vtkIdType first, int ofEach)
     {
@@ -160,12 +262,4 @@ TEST(CoreChildRows, OfSelectedParts)
       ASSERT_TRUE(found[row] == expected[numbers[row]]) << row;
     }
   }
-}
-
-TEST(CoreChildRows, ManyBlocks)
-{
-  const Mesh mesh = MakeLattice("many", 8, 1., 1).Control;
-  const Subdivided<int> level = Build<int>(mesh.Cells, mesh.Singular);
-  ASSERT_GT(level.Level.Complex.NumberOfEdges, 2000);
-  ExpectSameOnTheFly(RefineOnce(level));
 }

@@ -192,17 +192,6 @@ void ExpectConsistent(const Level<int>& level)
   }
 }
 
-/// A test of each mesh of the zoo and of the random ones.
-template <typename Test>
-void ForEachMesh(const Test& test)
-{
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    SCOPED_TRACE(mesh.Name);
-    test(mesh);
-  }
-}
-
 }
 
 TEST(CoreInheritance, InputEqualsReference)

@@ -3,7 +3,7 @@
 // commute; neither threads nor the width of ids nor the number of components changes a bit.
 #include "BackEnds.h"
 #include "CoreReference.h"
-#include "CoreZoo.h"
+#include "TetOctTools.h"
 
 #include "vtkSMPTools.h"
 
@@ -12,42 +12,10 @@
 #include <cstring>
 #include <limits>
 
-using namespace coretest;
+using namespace tetoct_tools;
 
 namespace
 {
-
-/// A test of each mesh of the zoo and of the random ones.
-template <typename Test>
-void ForEachMesh(const Test& test)
-{
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    SCOPED_TRACE(mesh.Name);
-    test(mesh);
-  }
-}
-
-/// Points and operator of each level.
-template <typename Id, typename T>
-std::vector<std::vector<T>> SubdividePoints(const Mesh& mesh, const std::vector<T>& points,
-  int components, int levels, const StrataOptions& options = StrataOptions())
-{
-  Subdivided<Id> level = Build<Id>(mesh.Cells, mesh.Singular, options);
-  std::vector<std::vector<T>> all = { points };
-  for (int step = 0; step < levels; ++step)
-  {
-    const Stencils<Id> stencils = CopyStencils(level.Level);
-    std::vector<T> next(stencils.GetNumberOfRows() * components);
-    stencils.Apply(all.back().data(), next.data(), components);
-    all.push_back(next);
-    if (step + 1 < levels)
-    {
-      level = RefineOnce(level, step + 2 < levels ? Depth::ForRefinement : Depth::ForOutput);
-    }
-  }
-  return all;
-}
 
 template <typename T>
 bool SameBits(const std::vector<T>& a, const std::vector<T>& b)
@@ -55,6 +23,13 @@ bool SameBits(const std::vector<T>& a, const std::vector<T>& b)
   return a.size() == b.size() &&
     (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0);
 }
+
+template <typename Scheme>
+class CoreOperatorOf : public testing::Test
+{
+};
+using Schemes = testing::Types<OfBoxSpline, OfTetOct>;
+TYPED_TEST_SUITE(CoreOperatorOf, Schemes);
 
 }
 
@@ -113,7 +88,7 @@ TEST(CoreOperator, RowsEqualReference)
     });
 }
 
-TEST(CoreOperator, AffineMapsCommute)
+TYPED_TEST(CoreOperatorOf, AffineMapsCommute)
 {
   ForEachMesh(
     [](const Mesh& mesh)
@@ -132,16 +107,27 @@ TEST(CoreOperator, AffineMapsCommute)
         }
         return mapped;
       };
-      const auto plain = SubdividePoints<int>(mesh, mesh.Points, 3, 3);
-      const auto mapped = SubdividePoints<int>(mesh, map(mesh.Points), 3, 3);
+      const auto plain = SubdividePoints<TypeParam>(mesh, mesh.Points, 3, 3);
+      const auto mapped = SubdividePoints<TypeParam>(mesh, map(mesh.Points), 3, 3);
       for (int step = 0; step <= 3; ++step)
       {
         const std::vector<double> expected = map(plain[step]);
         for (std::size_t i = 0; i < expected.size(); ++i)
         {
-          ASSERT_NEAR(mapped[step][i], expected[i], 1e-12);
+          ASSERT_NEAR(mapped[step][i], expected[i], 1e-12) << step;
         }
       }
+    });
+}
+
+TYPED_TEST(CoreOperatorOf, WidthOfIdsDoesNotMatter)
+{
+  ForEachMesh(
+    [](const Mesh& mesh)
+    {
+      const auto narrow = SubdividePoints<TypeParam>(mesh, mesh.Points, 3, 3);
+      const auto wide = SubdividePoints<TypeParam, long long>(mesh, mesh.Points, 3, 3);
+      EXPECT_TRUE(SameBits(narrow.back(), wide.back()));
     });
 }
 
@@ -150,9 +136,6 @@ TEST(CoreOperator, WidthOfIdsDoesNotMatter)
   ForEachMesh(
     [](const Mesh& mesh)
     {
-      const auto narrow = SubdividePoints<int>(mesh, mesh.Points, 3, 3);
-      const auto wide = SubdividePoints<long long>(mesh, mesh.Points, 3, 3);
-      EXPECT_TRUE(SameBits(narrow.back(), wide.back()));
       Subdivided<int> a = Build<int>(mesh.Cells, mesh.Singular);
       Subdivided<long long> b = Build<long long>(mesh.Cells, mesh.Singular);
       for (int step = 0; step < 2; ++step)
@@ -172,18 +155,18 @@ TEST(CoreOperator, WidthOfIdsDoesNotMatter)
     });
 }
 
-TEST(CoreOperator, ComponentsAreIndependent)
+TYPED_TEST(CoreOperatorOf, ComponentsAreIndependent)
 {
   ForEachMesh(
     [](const Mesh& mesh)
     {
-      const auto together = SubdividePoints<int>(mesh, mesh.Points, 3, 2).back();
+      const auto together = SubdividePoints<TypeParam>(mesh, mesh.Points, 3, 2).back();
       std::vector<double> pairs;
       for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
       {
         pairs.insert(pairs.end(), { mesh.Points[i + 1], mesh.Points[i] });
       }
-      const auto two = SubdividePoints<int>(mesh, pairs, 2, 2).back();
+      const auto two = SubdividePoints<TypeParam>(mesh, pairs, 2, 2).back();
       for (int c = 0; c < 3; ++c)
       {
         std::vector<double> own;
@@ -191,7 +174,7 @@ TEST(CoreOperator, ComponentsAreIndependent)
         {
           own.push_back(mesh.Points[i]);
         }
-        const auto alone = SubdividePoints<int>(mesh, own, 1, 2).back();
+        const auto alone = SubdividePoints<TypeParam>(mesh, own, 1, 2).back();
         for (std::size_t i = 0; i < alone.size(); ++i)
         {
           ASSERT_EQ(alone[i], together[3 * i + c]);
@@ -204,7 +187,7 @@ TEST(CoreOperator, ComponentsAreIndependent)
     });
 }
 
-TEST(CoreOperator, SameBitsInAllBackEndsAndThreads)
+TYPED_TEST(CoreOperatorOf, SameBitsInAllBackEndsAndThreads)
 {
   const Mesh mesh = MakeLattice("Large", 12, 0.1, 17).Control;
   const std::string before = vtkSMPTools::GetBackend();
@@ -221,8 +204,12 @@ TEST(CoreOperator, SameBitsInAllBackEndsAndThreads)
     {
       SCOPED_TRACE(std::string(name) + " " + std::to_string(threads));
       vtkSMPTools::Initialize(threads);
-      const auto points = SubdividePoints<int>(mesh, mesh.Points, 3, 2).back();
-      const SimplexList cells = ReadChildren(RefineOnce(Build<int>(mesh.Cells)));
+      const auto points = SubdividePoints<TypeParam>(mesh, mesh.Points, 3, 2).back();
+      SimplexList cells;
+      if constexpr (std::is_same_v<TypeParam, OfBoxSpline>)
+      {
+        cells = ReadChildren(RefineOnce(Build<int>(mesh.Cells)));
+      }
       if (ran++ == 0)
       {
         first = points;
@@ -246,14 +233,16 @@ TEST(CoreOperator, ValuesAreStoredInTheTypeOfTheArray)
   }
   line.AddCells({ { 0, 1 }, { 1, 2 } });
   // float: each level is rounded, sums are not.
-  const auto floats = SubdividePoints<int>(line, std::vector<float>{ 0.1f, 0.7f, 0.4f }, 1, 1);
+  const auto floats =
+    SubdividePoints<OfBoxSpline>(line, std::vector<float>{ 0.1f, 0.7f, 0.4f }, 1, 1);
   EXPECT_EQ(
     floats[1][1], static_cast<float>(0.75 * double(0.7f) + 0.125 * (double(0.1f) + double(0.4f))));
   EXPECT_EQ(floats[1][3], static_cast<float>(0.5 * (double(0.1f) + double(0.7f))));
   // Integers are rounded to the nearest and stay in range.
-  const auto bytes = SubdividePoints<int>(line, std::vector<unsigned char>{ 255, 255, 254 }, 1, 2);
+  const auto bytes =
+    SubdividePoints<OfBoxSpline>(line, std::vector<unsigned char>{ 255, 255, 254 }, 1, 2);
   EXPECT_EQ(bytes[1], (std::vector<unsigned char>{ 255, 255, 254, 255, 255 }));
-  const auto signedOnes = SubdividePoints<int>(line, std::vector<int>{ -3, 0, 5 }, 1, 1);
+  const auto signedOnes = SubdividePoints<OfBoxSpline>(line, std::vector<int>{ -3, 0, 5 }, 1, 1);
   EXPECT_EQ(signedOnes[1], (std::vector<int>{ -3, 0, 5, -1, 3 }));
 }
 
@@ -266,7 +255,7 @@ TEST(CoreOperator, ValuesThatAreNotFiniteStayWhereNobodyReadsThem)
   }
   mesh.AddCells({ { 0, 1 }, { 1, 2 } });
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const auto all = SubdividePoints<int>(mesh, std::vector<double>{ 0., 1., 2., nan }, 1, 2);
+  const auto all = SubdividePoints<OfBoxSpline>(mesh, std::vector<double>{ 0., 1., 2., nan }, 1, 2);
   for (std::size_t i = 0; i < all.back().size(); ++i)
   {
     EXPECT_EQ(std::isnan(all.back()[i]), i == 3) << i;

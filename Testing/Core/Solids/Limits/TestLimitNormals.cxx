@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals of limit surfaces: against the faces of a much finer level, and where there are none.
 #include "LimitTools.h"
+#include "PointTools.h"
 
 #include "Core/Solids/Limits/LimitNormals.h"
 
@@ -10,6 +11,7 @@
 #include <utility>
 
 using namespace coretest;
+using namespace point_tools;
 
 namespace
 {
@@ -72,16 +74,6 @@ std::vector<vtkIdType> FindInverted(const Level<int>& level, const std::vector<d
     }
   }
   return inverted;
-}
-
-double Length(const Vector& a)
-{
-  return std::hypot(a[0], a[1], a[2]);
-}
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 }

@@ -11,20 +11,6 @@ using namespace tetoct_tools;
 namespace
 {
 
-/// A test of each mesh with each choice of rules.
-template <typename Test>
-void ForEachMeshAndOptions(const Test& test)
-{
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    for (const char* options : OptionNames)
-    {
-      SCOPED_TRACE(mesh.Name + " " + options);
-      test(mesh, options);
-    }
-  }
-}
-
 TetOctLevel<int> RefineTimes(TetOctLevel<int> level, int steps)
 {
   for (int i = 0; i < steps; ++i)
@@ -59,14 +45,6 @@ Stencils<int> MakeStencils(const SemiSharpMesh& semi, int steps)
   const auto rows = FindSharpRows(semi.Sharpness, steps, steps, sharp.Complex);
   BlendSemiSharp(rows, TakeStencils(sharp), stencils);
   return stencils;
-}
-
-void ExpectSameStart(const std::vector<double>& a, const std::vector<double>& b)
-{
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-  {
-    ASSERT_NEAR(a[i], b[i], 1e-13) << "value " << i;
-  }
 }
 
 }

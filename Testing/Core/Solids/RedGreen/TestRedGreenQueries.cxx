@@ -116,16 +116,6 @@ std::vector<Cell> GetOutput(const RedGreen<int>& state)
   return Write(state, std::vector<double>(30)).GetPointsOfCells();
 }
 
-int CountHalvings(const RedGreen<int>& state, int vertex)
-{
-  if (vertex < state.GetNumberOfInputVertices())
-  {
-    return 0;
-  }
-  const auto ends = state.GetEnds(vertex);
-  return 1 + std::max(CountHalvings(state, ends[0]), CountHalvings(state, ends[1]));
-}
-
 void CheckOrigins(const RedGreen<int>& state)
 {
   const int edges[4][6][2] = { {}, { { 0, 1 } }, { { 0, 1 }, { 1, 2 }, { 0, 2 } },

@@ -20,17 +20,6 @@ constexpr auto Own = CellScope::Own;
 
 const int EdgesOfTriangle[3][2] = { { 0, 1 }, { 1, 2 }, { 0, 2 } };
 
-/// How many halvings made a vertex.
-int CountHalvings(const RedGreen<int>& state, int vertex)
-{
-  if (vertex < state.GetNumberOfInputVertices())
-  {
-    return 0;
-  }
-  const auto ends = state.GetEnds(vertex);
-  return 1 + std::max(CountHalvings(state, ends[0]), CountHalvings(state, ends[1]));
-}
-
 void CheckHalvings(const RedGreen<int>& state, std::size_t most)
 {
   std::vector<std::vector<int>> expected(most);

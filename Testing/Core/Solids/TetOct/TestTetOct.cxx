@@ -3,57 +3,16 @@
 // are.
 #include "TetOctTools.h"
 
-#include "vtkSMPTools.h"
-
 #include <gtest/gtest.h>
-
-#include <cstring>
 
 using namespace tetoct_tools;
 
 namespace
 {
 
-template <typename Test>
-void ForEachMesh(const Test& test)
-{
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    SCOPED_TRACE(mesh.Name);
-    test(mesh);
-  }
-}
-
 bool IsSolid(Stratum stratum)
 {
   return stratum.GetRule() == Rule::Solid || stratum.GetRule() == Rule::RegularEdge;
-}
-
-/// Points and any number of steps.
-template <typename Id, typename T>
-std::vector<T> Subdivide(const Mesh& mesh, const std::vector<T>& points, int components, int steps)
-{
-  TetOctMesh<Id> level = BuildTetOct<Id>(mesh.Cells, mesh.Singular);
-  std::vector<T> values = points;
-  for (int step = 0; step < steps; ++step)
-  {
-    const Stencils<Id> stencils = CopyStencils(level.Level);
-    std::vector<T> next(stencils.GetNumberOfRows() * components);
-    stencils.Apply(values.data(), next.data(), components);
-    values = std::move(next);
-    if (step + 1 < steps)
-    {
-      level = RefineOnce(level, step + 2 < steps ? Depth::ForRefinement : Depth::ForOutput);
-    }
-  }
-  return values;
-}
-
-template <typename T>
-bool SameBits(const std::vector<T>& a, const std::vector<T>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), sizeof(T) * a.size()) == 0);
 }
 
 }
@@ -469,80 +428,11 @@ TEST(TetOctCore, SpectrumAlongAnEdge)
   }
 }
 
-TEST(TetOctCore, AffineMapsCommute)
-{
-  ForEachMesh(
-    [](const Mesh& mesh)
-    {
-      auto map = [](const std::vector<double>& points)
-      {
-        std::vector<double> image(points.size());
-        for (std::size_t i = 0; i < points.size(); i += 3)
-        {
-          const double x = points[i];
-          const double y = points[i + 1];
-          const double z = points[i + 2];
-          image[i] = 2. * x - y + 3.;
-          image[i + 1] = x + 0.5 * y + z - 1.;
-          image[i + 2] = -z + 0.25 * x;
-        }
-        return image;
-      };
-      const std::vector<double> after = map(Subdivide<int>(mesh, mesh.Points, 3, 2));
-      const std::vector<double> before = Subdivide<int>(mesh, map(mesh.Points), 3, 2);
-      ASSERT_EQ(after.size(), before.size());
-      for (std::size_t i = 0; i < after.size(); ++i)
-      {
-        ASSERT_NEAR(after[i], before[i], 1e-13);
-      }
-    });
-}
-
-TEST(TetOctCore, NeitherIdsNorThreadsNorComponentsChangeABit)
-{
-  const Mesh mesh = MakeLattice("Lattice", 4, 0.3, 11).Control;
-  vtkSMPTools::Initialize(1);
-  const std::vector<double> once = Subdivide<int>(mesh, mesh.Points, 3, 3);
-  vtkSMPTools::Initialize(4);
-  EXPECT_TRUE(SameBits(once, Subdivide<int>(mesh, mesh.Points, 3, 3)));
-  EXPECT_TRUE(SameBits(once, Subdivide<long long>(mesh, mesh.Points, 3, 3)));
-  vtkSMPTools::Initialize();
-  std::vector<double> twice;
-  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
-  {
-    for (int c = 0; c < 6; ++c)
-    {
-      twice.push_back(mesh.Points[i + c % 3]);
-    }
-  }
-  const std::vector<double> six = Subdivide<int>(mesh, twice, 6, 3);
-  std::vector<double> first;
-  std::vector<double> x;
-  std::vector<double> control;
-  for (std::size_t i = 0; i < six.size(); ++i)
-  {
-    if (i % 6 < 3)
-    {
-      first.push_back(six[i]);
-    }
-  }
-  EXPECT_TRUE(SameBits(once, first));
-  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
-  {
-    control.push_back(mesh.Points[i]);
-  }
-  for (std::size_t i = 0; i < once.size(); i += 3)
-  {
-    x.push_back(once[i]);
-  }
-  EXPECT_TRUE(SameBits(x, Subdivide<int>(mesh, control, 1, 3)));
-}
-
 TEST(TetOctCore, ValuesThatOverflowInASumStayFinite)
 {
   const Mesh mesh = MakeLattice("Lattice", 2, 1., 3).Control;
   std::vector<double> huge(mesh.Points.size(), 1.7e308);
-  for (double value : Subdivide<int>(mesh, huge, 3, 2))
+  for (double value : SubdividePoints<OfTetOct>(mesh, huge, 3, 2).back())
   {
     ASSERT_NEAR(value / 1.7e308, 1., 1e-12);
   }

@@ -86,34 +86,6 @@ Weights FaceOfSector(int k, int j)
   return { { 0, 0.25 }, { 1 + j, 0.25 }, { 2 + j, 0.25 }, { k + 2 + j, 0.25 } };
 }
 
-/// A row that goes by the part s to where ends 1 and k + 1 of a sector's curves have these weights.
-Weights Flatten(Weights row, int k, double s, double first, double last)
-{
-  for (auto& entry : row)
-  {
-    entry.second *= 1. - s;
-  }
-  row[0] += s * (1. - first - last);
-  row[1] += s * first;
-  row[1 + k] += s * last;
-  return row;
-}
-
-/// The angle of the only sector of some vertices, and its flatness; negative: by default.
-SurfaceFeatures GiveShape(
-  std::size_t points, const std::vector<int>& vertices, double angle, double flatness = -1.)
-{
-  SurfaceFeatures features;
-  features.Angles.assign(points, -1.);
-  features.Flatness.assign(points, -1.);
-  for (int vertex : vertices)
-  {
-    features.Angles[vertex] = angle;
-    features.Flatness[vertex] = flatness;
-  }
-  return features;
-}
-
 /// 3/8 - 1/4 cos t, by hand, where a curve has 1 to 6 quads on one side.
 const double GammaOfCurve[7] = { 0., 0.625, 0.375, 0.25, 0.1982233047033631, 0.1727457514062631,
   0.1584936490538903 };
@@ -224,32 +196,18 @@ TEST(SurfaceCatmullClark, EdgeNextToABoundary)
 // smooth edge.
 TEST(SurfaceCatmullClark, EdgeNextToACrease)
 {
-  for (int left = 1; left <= 6; ++left)
-  {
-    for (int right = left == 1 ? 2 : 1; right <= 6; ++right)
+  ForEdgesNextToACrease(MakeTrapezohedron,
+    [](const Model& model, const SurfaceFeatures& features, int j, int side)
     {
-      const int n = left + right;
-      Model model = MakeTrapezohedron(n);
-      model.Lines = { { 0, 1 }, { 0, 1 + left } };
-      SurfaceFeatures features;
-      features.DartEnds = true; // the other ends of the two creases ask for nothing
       const Surface surface(model, features);
-      for (int j = 1; j < n; ++j)
-      {
-        if (j == left)
-        {
-          continue;
-        }
-        const double g = GammaOfCurve[j < left ? left : right];
-        Weights expected = { { 0, 0.75 - g }, { 1 + j, g }, { j, 0.0625 },
-          { 1 + (j + 1) % n, 0.0625 }, { n + j, 0.0625 }, { 1 + n + j, 0.0625 } };
-        const std::string what = "creases " + std::to_string(left) + " " + std::to_string(right);
-        ExpectRow(surface.GetEdgeRow(0, 1 + j), expected, what);
-        expected[0] = expected[1 + j] = 0.375;
-        ExpectRow(surface.GetEdgeRow(0, 1 + j, false), expected, what);
-      }
-    }
-  }
+      const int n = static_cast<int>(model.Points.size()) / 2 - 1;
+      const double g = GammaOfCurve[side];
+      Weights expected = { { 0, 0.75 - g }, { 1 + j, g }, { j, 0.0625 },
+        { 1 + (j + 1) % n, 0.0625 }, { n + j, 0.0625 }, { 1 + n + j, 0.0625 } };
+      ExpectRow(surface.GetEdgeRow(0, 1 + j), expected, "modified");
+      expected[0] = expected[1 + j] = 0.375;
+      ExpectRow(surface.GetEdgeRow(0, 1 + j, false), expected, "plain");
+    });
   // The end of a crease is a corner without sectors: the plain rule.
   Model model = MakeTrapezohedron(5);
   model.Lines = { { 0, 1 } };

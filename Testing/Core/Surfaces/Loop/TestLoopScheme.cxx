@@ -82,34 +82,6 @@ Weights EdgeOfSector(int j, double own, double other)
   return { { 0, own }, { 1 + j, other }, { j, 0.125 }, { 2 + j, 0.125 } };
 }
 
-/// A row that goes by the part s to where ends 1 and k + 1 of a sector's curves have these weights.
-Weights Flatten(Weights row, int k, double s, double first, double last)
-{
-  for (auto& entry : row)
-  {
-    entry.second *= 1. - s;
-  }
-  row[0] += s * (1. - first - last);
-  row[1] += s * first;
-  row[1 + k] += s * last;
-  return row;
-}
-
-/// The angle of the only sector of some vertices, and its flatness; negative: by default.
-SurfaceFeatures GiveShape(
-  std::size_t points, const std::vector<int>& vertices, double angle, double flatness = -1.)
-{
-  SurfaceFeatures features;
-  features.Angles.assign(points, -1.);
-  features.Flatness.assign(points, -1.);
-  for (int vertex : vertices)
-  {
-    features.Angles[vertex] = angle;
-    features.Flatness[vertex] = flatness;
-  }
-  return features;
-}
-
 /// 1/2 - 1/4 cos t, by hand, where a curve has 1 to 6 triangles on one side.
 const double GammaOfCurve[7] = { 0., 0.75, 0.5, 0.375, 0.3232233047033631, 0.2977457514062631,
   0.2834936490538903 };
@@ -203,36 +175,18 @@ TEST(SurfaceLoop, EdgeNextToABoundary)
 // The number of triangles of its own side counts, not that of the other.
 TEST(SurfaceLoop, EdgeNextToACrease)
 {
-  for (int left = 1; left <= 6; ++left)
-  {
-    for (int right = 1; right <= 6; ++right)
+  ForEdgesNextToACrease(MakeBipyramid,
+    [](const Model& model, const SurfaceFeatures& features, int j, int side)
     {
-      const int n = left + right;
-      if (n < 3)
-      {
-        continue;
-      }
-      Model model = MakeBipyramid(n);
-      model.Lines = { { 0, 1 }, { 0, 1 + left } };
-      SurfaceFeatures features;
-      features.DartEnds = true; // the other ends of the two creases ask for nothing
       const Surface surface(model, features);
-      for (int j = 1; j < n; ++j)
-      {
-        if (j == left)
-        {
-          continue;
-        }
-        const double g = GammaOfCurve[j < left ? left : right];
-        const int after = 1 + (j + 1) % n;
-        const std::string what = "creases " + std::to_string(left) + " " + std::to_string(right);
-        ExpectRow(surface.GetEdgeRow(0, 1 + j),
-          { { 0, 0.75 - g }, { 1 + j, g }, { j, 0.125 }, { after, 0.125 } }, what);
-        ExpectRow(surface.GetEdgeRow(0, 1 + j, false),
-          { { 0, 0.375 }, { 1 + j, 0.375 }, { j, 0.125 }, { after, 0.125 } }, what);
-      }
-    }
-  }
+      const int n = static_cast<int>(model.Points.size()) - 2;
+      const double g = GammaOfCurve[side];
+      const int after = 1 + (j + 1) % n;
+      ExpectRow(surface.GetEdgeRow(0, 1 + j),
+        { { 0, 0.75 - g }, { 1 + j, g }, { j, 0.125 }, { after, 0.125 } }, "modified");
+      ExpectRow(surface.GetEdgeRow(0, 1 + j, false),
+        { { 0, 0.375 }, { 1 + j, 0.375 }, { j, 0.125 }, { after, 0.125 } }, "plain");
+    });
   // The end of a crease is a corner without sectors: the plain rule.
   Model model = MakeBipyramid(5);
   model.Lines = { { 0, 1 } };
