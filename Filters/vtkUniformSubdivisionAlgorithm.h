@@ -51,10 +51,10 @@ public:
    * infinitely many levels: the mesh then is inscribed into the smooth object, whatever
    * NumberOfLevels is, 0 included. Each value becomes a weighted mean of the neighbours' (the left
    * eigenvector of the local subdivision matrix for the eigenvalue 1), exact to rounding, with all
-   * creases, joints and what is left of semi-sharp creases, and with any scheme. Cells are those
-   * without the option, but octahedra are cut around the diagonal that is shortest then. Needs, on
-   * the way, about as much time and memory as one more level. The points are no control points any
-   * more: the next filter reads the output like any other mesh. Off by default.
+   * creases, joints and semi-sharp creases that are left, and with any scheme. Cells are the same
+   * as without the option, but octahedra are cut around the diagonal that is shortest then. Needs,
+   * on the way, about as much time and memory as one more level. The points are no control points
+   * any more: the next filter reads the output like any other mesh. Off by default.
    */
   vtkSetMacro(ProjectToLimit, bool);
   vtkGetMacro(ProjectToLimit, bool);
@@ -77,8 +77,8 @@ public:
    * There is no tangent plane on curves, at corners, ends of creases and non-manifold joints, on
    * creases and borders with seven and more triangles on a side (with ModifiedBoundary off), on
    * surfaces inside a solid, and in vtkMultiDimensionalSubdivision on semi-sharp creases that are
-   * still sharp on the last level. So that nothing is drawn black, points with faces there (those
-   * of surfaces and of the boundaries of solids) have the mean of the normals of the faces in the
+   * still sharp on the last level. So that nothing is drawn black, points with faces there (of
+   * surfaces and of the boundaries of solids) have the mean of the normals of the faces in the
    * limit, weighted by angle (where these cancel, see Mathematics 8), the same on all levels and
    * with ProjectToLimit, points of curves a direction perpendicular to the curve, and single points
    * the z axis; where tangents are parallel but for rounding the normal is perpendicular to them.
@@ -163,15 +163,15 @@ public:
    * cell. Points that no cell uses are left out.
    *
    * The limit is read off a mesh of 3 more levels, of 4 if there are solids, or if CATMULL_CLARK
-   * has faces that are no quads. Further levels of NumberOfLevels cost what they split: they are
-   * made for these cells alone. But with blocks, on several ranks, with GenerateLimitNormals,
-   * GenerateTangents, GenerateClassification, OutputDimensions, seams that are joined, values that
-   * jump or cells with equal points all of the mesh is made by each level that some cell needs.
-   * MaximumNumberOfCells counts Bezier cells, on each rank its own. There are no global ids and no
-   * ghost cells of the pipeline, and the next filter reads the corners of the cells like any other
-   * mesh. Without effect on ComputeOperator. With VolumeScheme = TET_OCT or KeepCellTypes, and with
-   * surface schemes other than LOOP, CATMULL_CLARK and LINEAR, a warning says that cells stay
-   * linear.
+   * has faces that are no quads. Further levels of NumberOfLevels cost time for the cells that they
+   * split: they are made for these cells alone. But with blocks, on several ranks, with
+   * GenerateLimitNormals, GenerateTangents, GenerateClassification, OutputDimensions, seams that
+   * are joined, values that jump or cells with equal points all of the mesh is made by each level
+   * that some cell needs. MaximumNumberOfCells counts Bezier cells, on each rank its own. There are
+   * no global ids and no ghost cells of the pipeline, and the next filter reads the corners of the
+   * cells like any other mesh. Without effect on ComputeOperator. With VolumeScheme = TET_OCT or
+   * KeepCellTypes, and with surface schemes other than LOOP, CATMULL_CLARK and LINEAR, a warning
+   * says that cells stay linear.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -181,9 +181,9 @@ public:
 
   ///@{
   /**
-   * What Bezier cells may leave out: the distance from the limit as a part of the diagonal of the
-   * mesh, and the difference of each component of an array as a part of the array's range. Cells
-   * that were split NumberOfLevels times may leave out more. The filter looks at the points of one
+   * The distance from the limit that Bezier cells may have: as a part of the diagonal of the mesh,
+   * and the difference of each component of an array as a part of the array's range. Cells that
+   * were split NumberOfLevels times may leave out more. The filter looks at the points of one
    * further level, where two thirds of this are allowed. 0 to 1, default 0.0001. 0 splits all cells
    * whose limit is no polynomial, but for rounding, NumberOfLevels times.
    */
@@ -199,9 +199,10 @@ public:
    * vtkMultiDimensionalSubdivision so are the points if the coordinates are the same. Cells are
    * compared by content, with a kept copy. Choices made from coordinates (diagonals, polygon cuts,
    * features) are made again; where one comes out differently, everything is built again: the
-   * output is always that of a fresh filter. Where only rules changed, operators are made again but
-   * the cells of vtkMultiDimensionalSubdivision stay shared. Kept for the whole of a composite
-   * input, or for each block if JoinBlocks is off, until an update does not need it. On by default.
+   * output always equals the output of a fresh filter. Where only rules changed, operators are made
+   * again but the cells of vtkMultiDimensionalSubdivision stay shared. Kept for the whole of a
+   * composite input, or for each block if JoinBlocks is off, until an update does not need it. On
+   * by default.
    */
   void SetCacheOperator(bool cache);
   vtkGetMacro(CacheOperator, bool);
@@ -209,7 +210,7 @@ public:
   ///@}
 
   /**
-   * Computes what the filter does to points, as a matrix, with the present options on the present
+   * Computes the matrix by which the filter moves points, with the present options on the present
    * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
    * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues. With
    * CacheOperator an update before has made most of it, and the next one can use it. Points are
