@@ -3,12 +3,12 @@
 
 #include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/PatchPowers.h"
+#include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLattice.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>
