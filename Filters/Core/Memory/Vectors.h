@@ -19,6 +19,10 @@ inline Vector Subtract(const double* a, const double* b)
 {
   return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
 }
+inline Vector Subtract(const Vector& a, const Vector& b)
+{
+  return Subtract(a.data(), b.data());
+}
 
 inline double Dot(const Vector& a, const Vector& b)
 {

@@ -198,4 +198,20 @@ void WeightBicubic(double u, double v, const PatchDirections& directions,
   }
 }
 
+void WeightCubic(double u, const PatchDirections& directions, PatchParts& parts)
+{
+  const CubicTerms terms(u);
+  const auto& du = directions[0];
+  parts = {};
+  for (int i = 0; i < 4; ++i)
+  {
+    parts[PlaceParts::Value][i] = terms.Values[i];
+    parts[PlaceParts::First][i] = du[0] * terms.First[i];
+    parts[PlaceParts::First + 1][i] = du[1] * terms.First[i];
+    parts[PlaceParts::Second][i] = du[0] * du[0] * terms.Second[i];
+    parts[PlaceParts::Mixed][i] = du[0] * du[1] * terms.Second[i];
+    parts[PlaceParts::SecondOfSecond][i] = du[1] * du[1] * terms.Second[i];
+  }
+}
+
 }

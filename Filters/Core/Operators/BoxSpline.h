@@ -29,6 +29,9 @@ void WeightBoxSpline(double u, double v, const PatchDirections& directions,
 void WeightBicubic(double u, double v, const PatchDirections& directions,
   PlaceDerivatives derivatives, PatchParts& parts);
 
+/// All parts for the four control points of a cubic line.
+void WeightCubic(double u, const PatchDirections& directions, PatchParts& parts);
+
 }
 
 #endif

@@ -302,26 +302,8 @@ void BezierWriter::WriteValues()
     const int components = array->GetNumberOfComponents();
     const auto fitted = MakeArray(array->GetDataType(), components, size);
     CopyLooks(array, fitted);
-    const auto write = [&](auto* to)
-    {
-      using T = std::remove_pointer_t<decltype(to)>;
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          for (int c = 0; c < components; ++c)
-          {
-            to[components * i + c] = static_cast<T>(values[this->Components * i + component + c]);
-          }
-        });
-    };
-    if (array->GetDataType() == VTK_FLOAT)
-    {
-      write(static_cast<float*>(fitted->GetVoidPointer(0)));
-    }
-    else
-    {
-      write(static_cast<double*>(fitted->GetVoidPointer(0)));
-    }
+    ForEach(size,
+      [&](vtkIdType i) { fitted->SetTuple(i, values.data() + this->Components * i + component); });
     component += components;
     if (array == arrays[0])
     {

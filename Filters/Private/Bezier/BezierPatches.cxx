@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bezier/BezierPatches.h"
 
-#include "Private/Arrays/Arrays.h"
 #include "Private/Bezier/ValueRanges.h"
 
 #include "vtkPointData.h"
@@ -108,26 +107,9 @@ void BezierPatches::ReadValues(const ValueRanges& ranges)
   int component = 0;
   for (vtkDataArray* array : this->Arrays)
   {
-    const vtkSmartPointer<vtkDataArray> contiguous = Contiguous(array);
-    const int components = array->GetNumberOfComponents();
-    const auto read = [&](const auto* values)
-    {
-      ForEach(size,
-        [&](vtkIdType i)
-        {
-          std::copy_n(values + components * i, components,
-            this->Values.data() + this->Components * i + component);
-        });
-    };
-    if (array->GetDataType() == VTK_FLOAT)
-    {
-      read(static_cast<const float*>(contiguous->GetVoidPointer(0)));
-    }
-    else
-    {
-      read(static_cast<const double*>(contiguous->GetVoidPointer(0)));
-    }
-    component += components;
+    ForEach(size, [&](vtkIdType i)
+      { array->GetTuple(i, this->Values.data() + this->Components * i + component); });
+    component += array->GetNumberOfComponents();
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bezier/PatchShape.h"
 
-#include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/Limits/PlacePolynomial.h"
 
 #include "vtkCellType.h"
 #include "vtkHigherOrderQuadrilateral.h"
@@ -285,36 +285,14 @@ void ShapeMaker::ListChildren()
     }
     return;
   }
-  std::vector<LatticePoint> points = corners; // lattice points as Simplices.h numbers them
-  const auto addChildren = [&](const auto& edges, const auto& children)
+  for (const SimplexChild& child : subdivision::ListChildren(this->Shape.Dimension))
   {
-    for (const auto& ends : edges)
+    std::vector<LatticePoint> points;
+    for (int i = 0; i <= this->Shape.Dimension; ++i)
     {
-      points.push_back(middle(ends[0], ends[1]));
+      points.push_back(middle(child.Corners[i][0], child.Corners[i][1]));
     }
-    for (const auto& child : children)
-    {
-      std::vector<LatticePoint> ends;
-      for (int axis = 0; axis < this->Shape.Dimension; ++axis)
-      {
-        ends.push_back(points[child[axis + 1]]);
-      }
-      add(points[child[0]], ends);
-    }
-  };
-  constexpr int lineEdges[1][2] = { { 0, 1 } };
-  constexpr int lineChildren[2][2] = { { 0, 2 }, { 2, 1 } };
-  switch (this->Shape.Dimension)
-  {
-    case 1:
-      addChildren(lineEdges, lineChildren);
-      break;
-    case 2:
-      addChildren(triangle::EdgeVertices, triangle::Children);
-      break;
-    default:
-      addChildren(tetrahedron::EdgeVertices, tetrahedron::Children);
-      break;
+    add(points[0], { points.begin() + 1, points.end() });
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/UnevenRanges.h"
 #include "Core/Solids/Location/CurveOrder.h"
+#include "Core/Solids/Location/Vectors.h"
 #include "Private/Places/LimitPatchShape.h"
 #include "Private/Places/PlaceScore.h"
 
@@ -16,7 +17,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using vectors::Vector;
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Rounding = 1e-14;            ///< of limits, by the largest coordinate
@@ -43,6 +44,25 @@ std::size_t CountRequests(std::size_t before)
   constexpr std::size_t few = 16;
   constexpr std::size_t many = 512;
   return before < many ? few : std::min(before / 4, MostRequests - std::min(MostRequests, before));
+}
+
+/// Corner k of a cell with patches.
+std::array<double, 2> GetCorner(PatchKind kind, std::size_t k)
+{
+  constexpr double ofQuad[4][2] = { { 0., 0. }, { 1., 0. }, { 1., 1. }, { 0., 1. } };
+  constexpr double ofSimplex[3][2] = { { 0., 0. }, { 1., 0. }, { 0., 1. } };
+  const double* at = kind == PatchKind::Quad ? ofQuad[k] : ofSimplex[k];
+  return { { at[0], at[1] } };
+}
+/// A place of the cell by its coordinates along the axes of a part.
+std::array<double, 2> TakePlace(const PatchFrame& frame, double x, double y)
+{
+  std::array<double, 2> at = frame[0];
+  for (int c = 0; c < 2; ++c)
+  {
+    at[c] += x * (frame[1][c] - frame[0][c]) + y * (frame[2][c] - frame[0][c]);
+  }
+  return at;
 }
 
 constexpr double Equal = 1e-12;    ///< scores of places of which the first counts
@@ -165,13 +185,10 @@ std::vector<Vector> LimitPatches::FindCorners()
   for (const vtkIdType c : InTurn(this->Cells.GetNumberOfCells()))
   {
     const int corners = this->Cells.CountCorners(c);
-    constexpr double ofQuad[4][2] = { { 0., 0. }, { 1., 0. }, { 1., 1. }, { 0., 1. } };
-    constexpr double ofSimplex[3][2] = { { 0., 0. }, { 1., 0. }, { 0., 1. } };
     for (int k = 0; this->Cells.Dimensions[c] < 3 && k < corners; ++k)
     {
-      const double* at = corners == 4 ? ofQuad[k] : ofSimplex[k];
       NearestPlace& place = asked[this->Cells.Connectivity[start + k]];
-      place = place.Cell < 0 ? this->MakePlace(c, { { at[0], at[1] } }) : place;
+      place = place.Cell < 0 ? this->MakePlace(c, GetCorner(this->GetKind(c), k)) : place;
     }
     start += corners;
   }
@@ -383,15 +400,7 @@ void LimitPatches::AddChildren(vtkIdType number, const Lattice& values)
     child.IsKnown = true;
     const PatchFrame& frame = this->Patches[number].Frame;
     const auto place = [&](const LatticePoint& point) // on the lattice of two divisions
-    {
-      std::array<double, 2> in = frame[0];
-      for (int c = 0; c < 2; ++c)
-      {
-        in[c] += 0.5 * point[0] * (frame[1][c] - frame[0][c]) +
-          0.5 * point[1] * (frame[2][c] - frame[0][c]);
-      }
-      return in;
-    };
+    { return TakePlace(frame, 0.5 * point[0], 0.5 * point[1]); };
     const LatticePoint& origin = part.Origin;
     const auto end = [&](int axis)
     {
@@ -422,13 +431,8 @@ void LimitPatches::Split(const std::vector<vtkIdType>& patches)
       const PatchFrame& frame = patch.Frame;
       for (const auto& [i, j] : GetShape(this->GetKind(patch.Cell)).Places)
       {
-        std::array<double, 2> at = frame[0];
-        for (int c = 0; c < 2; ++c)
-        {
-          at[c] +=
-            (i * (frame[1][c] - frame[0][c]) + j * (frame[2][c] - frame[0][c])) / Shape::Divisions;
-        }
-        places.push_back(this->MakePlace(patch.Cell, at));
+        constexpr double side = 1. / Shape::Divisions;
+        places.push_back(this->MakePlace(patch.Cell, TakePlace(frame, side * i, side * j)));
       }
     }
     const PlaceValues found = this->Evaluate(places, true);
@@ -466,12 +470,9 @@ void LimitPatches::VisitPatch(vtkIdType number, Search& search) const
   }
   if (!patch.IsKnown || this->Cells.Dimensions[patch.Cell] == 0)
   {
-    constexpr double ofQuad[4][2] = { { 0., 0. }, { 1., 0. }, { 1., 1. }, { 0., 1. } };
-    constexpr double ofSimplex[3][2] = { { 0., 0. }, { 1., 0. }, { 0., 1. } };
     for (std::size_t k = 0; k < patch.Corners.size(); ++k)
     {
-      const double* at = kind == PatchKind::Quad ? ofQuad[k] : ofSimplex[k];
-      search.Take(this->MakePlace(patch.Cell, { { at[0], at[1] } }), score.Of(patch.Corners[k]));
+      search.Take(this->MakePlace(patch.Cell, GetCorner(kind, k)), score.Of(patch.Corners[k]));
     }
     patch.IsKnown ? void() : void(search.Requests.emplace_back(bound, number));
     return;

@@ -2,6 +2,7 @@
 #include "Private/Places/PlaceOutput.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Solids/Location/Vectors.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Run/RunOptions.h"
@@ -23,16 +24,7 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector Cross(const Vector& a, const Vector& b)
-{
-  return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
-}
+using namespace vectors;
 
 double GetCurvatureOfCurve(const Vector& first, const Vector& second)
 {

@@ -7,9 +7,9 @@
 #define SubdivisionObjects_PlaceScore_h
 
 #include "Core/Solids/Location/Box.h"
+#include "Core/Solids/Location/Vectors.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -21,7 +21,7 @@ namespace subdivision
 class PlaceScore
 {
 public:
-  using Vector = std::array<double, 3>;
+  using Vector = vectors::Vector;
 
   /// Of places in patches of size 1 whose middle is the origin.
   explicit PlaceScore(const Vector& point)
@@ -33,8 +33,10 @@ public:
   /// Of two control points: the score is this, summed with the weights of their product.
   double Multiply(const Vector& a, const Vector& b) const
   {
-    return this->IsNear ? 0.5 * Dot(Subtract(a, this->Point), Subtract(b, this->Point))
-                        : 0.5 * (Dot(a, b) - Dot(a, this->Point) - Dot(b, this->Point)) / this->Far;
+    return this->IsNear
+      ? 0.5 * vectors::Dot(vectors::Subtract(a, this->Point), vectors::Subtract(b, this->Point))
+      : 0.5 * (vectors::Dot(a, b) - vectors::Dot(a, this->Point) - vectors::Dot(b, this->Point)) /
+        this->Far;
   }
   double Of(const Vector& place) const { return this->Multiply(place, place); }
   /// No place in a box has less.
@@ -65,14 +67,6 @@ public:
 
 private:
   static constexpr double Near = 4.; ///< sizes
-  static double Dot(const Vector& a, const Vector& b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  static Vector Subtract(const Vector& a, const Vector& b)
-  {
-    return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-  }
 
   const Vector Point;
   const double Far;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Places/PlaceSearch.h"
 
+#include "Core/Solids/Location/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,18 +11,9 @@ namespace subdivision
 namespace
 {
 
-using Vector = std::array<double, 3>;
+using namespace vectors;
 
 constexpr double LeastStep = 1e-12; ///< after which the next one is rounding
-
-double Dot(const Vector& a, const Vector& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-Vector Subtract(const Vector& a, const Vector& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
@@ -149,40 +142,77 @@ double GetPromise(
   return -part * change;
 }
 
-/// Makes one step of a search in a simplex, in which weights that would become negative stay 0.
-void AdvanceInSimplex(PlaceSearch& search, int dimension, const Slope& slope)
+/// The weights that a step changes: of the corners of a simplex, or of both ends along each axis of
+/// a quad. The sum of a group of them stays 1.
+struct GroupedWeights
 {
-  const PlaceValue& parts = slope.Parts;
-  std::array<double, 4>& weights = search.Place.Weights;
-  const auto most = std::max_element(weights.begin(), weights.begin() + dimension + 1);
-  const int base = static_cast<int>(most - weights.begin());
-  // How the value changes with the weight of a corner, which the base gives away.
-  const auto getSlope = [&](int corner)
+  GroupedWeights(const std::array<double, 4>& place, bool isQuad, int dimension)
+    : Size(isQuad ? 2 : dimension + 1)
+    , All(isQuad ? 4 : this->Size)
+    , Values(place)
   {
-    const Vector none{};
-    return Subtract(corner > 0 ? parts[PlaceParts::First + corner - 1] : none,
-      base > 0 ? parts[PlaceParts::First + base - 1] : none);
-  };
-  FreeDirections free;
-  std::array<int, 3> corners{};
-  for (int i = 0; i <= dimension; ++i)
-  {
-    const Vector change = getSlope(i);
-    if (i != base && (weights[i] > 0. || Dot(change, slope.Rest) < 0.))
+    if (isQuad)
     {
-      corners[free.Size] = i;
-      Vector parameters{}; // the weights of all corners but the first
-      for (int p = 0; p < 3; ++p)
+      this->Values = { { 1. - place[0], place[0], 1. - place[1], place[1] } };
+    }
+  }
+  std::array<double, 4> GetPlace() const
+  {
+    const auto& v = this->Values;
+    const auto get = [&v](int end) { return v[end - 1] == 0. ? 1. : v[end]; };
+    return this->Size < this->All ? std::array<double, 4>{ { get(1), get(3), 0., 0. } } : v;
+  }
+  /// The parameter that is weight i; -1: the first one of a group is none.
+  int GetParameter(int i) const
+  {
+    return i % this->Size == 0 ? -1 : i / this->Size + i % this->Size - 1;
+  }
+
+  const int Size; ///< of a group
+  const int All;  ///< the number of weights
+  std::array<double, 4> Values;
+};
+
+/// Makes one step of a search, in which weights that would become negative stay 0.
+void Advance(PlaceSearch& search, bool isQuad, int dimension, const Slope& slope)
+{
+  GroupedWeights grouped(search.Place.Weights, isQuad, dimension);
+  std::array<double, 4>& weights = grouped.Values;
+  FreeDirections free;
+  std::array<int, 3> own{};   // the weight of each direction,
+  std::array<int, 3> bases{}; // and the one of its group that gives it away
+  for (int group = 0; group < grouped.All; group += grouped.Size)
+  {
+    const auto first = weights.begin() + group;
+    const auto base =
+      static_cast<int>(std::max_element(first, first + grouped.Size) - weights.begin());
+    for (int i = group; i < group + grouped.Size; ++i)
+    {
+      const int gets = grouped.GetParameter(i);
+      const int gives = grouped.GetParameter(base);
+      const Vector none{};
+      const Vector change = Subtract(gets >= 0 ? slope.Parts[PlaceParts::First + gets] : none,
+        gives >= 0 ? slope.Parts[PlaceParts::First + gives] : none);
+      if (i != base && (weights[i] > 0. || Dot(change, slope.Rest) < 0.))
       {
-        parameters[p] = double(i == p + 1) - double(base == p + 1);
+        own[free.Size] = i;
+        bases[free.Size] = base;
+        Vector parameters{};
+        for (int p = 0; p < 3; ++p)
+        {
+          parameters[p] = double(gets == p) - double(gives == p);
+        }
+        free.Add(change, parameters);
       }
-      free.Add(change, parameters);
     }
   }
   std::array<double, 3> ofFree{};
-  const auto isOutside = [&](int i, double step) { return weights[corners[i]] == 0. && step < 0.; };
+  const auto isOutside = [&](int i, double step) { return weights[own[i]] == 0. && step < 0.; };
   const auto remove = [&](int i)
-  { std::copy(corners.begin() + i + 1, corners.end(), corners.begin() + i); };
+  {
+    std::copy(own.begin() + i + 1, own.end(), own.begin() + i);
+    std::copy(bases.begin() + i + 1, bases.end(), bases.begin() + i);
+  };
   if (!FindStep(free, slope, ofFree, isOutside, remove))
   {
     search.IsDone = true;
@@ -194,11 +224,11 @@ void AdvanceInSimplex(PlaceSearch& search, int dimension, const Slope& slope)
   int stops = -1;
   for (int i = 0; i < free.Size; ++i)
   {
-    step[corners[i]] = ofFree[i];
-    step[base] -= ofFree[i];
+    step[own[i]] = ofFree[i];
+    step[bases[i]] -= ofFree[i];
     length = std::max(length, std::abs(ofFree[i]));
   }
-  for (int i = 0; i <= dimension; ++i)
+  for (int i = 0; i < grouped.All; ++i)
   {
     if (weights[i] + part * step[i] < 0.)
     {
@@ -214,59 +244,12 @@ void AdvanceInSimplex(PlaceSearch& search, int dimension, const Slope& slope)
     part *= mostOfTheWay;
     stops = -1;
   }
-  for (int i = 0; i <= dimension; ++i)
+  for (int i = 0; i < grouped.All; ++i)
   {
     weights[i] = i == stops ? 0. : std::max(0., weights[i] + part * step[i]);
   }
+  search.Place.Weights = grouped.GetPlace();
   search.Promise = GetPromise(free, ofFree, part, slope.Rest);
-  search.IsDone = free.Size == 0 || length * part < LeastStep;
-}
-
-/// The same in a quad: x and y stay from 0 to 1.
-void AdvanceInQuad(PlaceSearch& search, const Slope& slope)
-{
-  std::array<double, 4>& at = search.Place.Weights;
-  FreeDirections free;
-  std::array<int, 2> axes{};
-  for (int i = 0; i < 2; ++i)
-  {
-    const Vector& along = slope.Parts[PlaceParts::First + i];
-    const double change = Dot(along, slope.Rest);
-    if ((at[i] > 0. || change < 0.) && (at[i] < 1. || change > 0.))
-    {
-      axes[free.Size] = i;
-      free.Add(along, { { i == 0 ? 1. : 0., i == 1 ? 1. : 0., 0. } });
-    }
-  }
-  std::array<double, 3> step{};
-  const auto isOutside = [&](int i, double by)
-  { return (at[axes[i]] == 0. && by < 0.) || (at[axes[i]] == 1. && by > 0.); };
-  const auto remove = [&](int i) { axes[0] = axes[i == 0 ? 1 : 0]; };
-  if (!FindStep(free, slope, step, isOutside, remove))
-  {
-    search.IsDone = true;
-    return;
-  }
-  double part = 1.;
-  double length = 0.;
-  int stops = -1;
-  const auto getEnd = [&](int i) { return step[i] < 0. ? 0. : 1.; };
-  for (int i = 0; i < free.Size; ++i)
-  {
-    const double left = getEnd(i) - at[axes[i]];
-    length = std::max(length, std::abs(step[i]));
-    if (part * std::abs(step[i]) > std::abs(left))
-    {
-      part = left / step[i];
-      stops = i;
-    }
-  }
-  for (int i = 0; i < free.Size; ++i)
-  {
-    double& x = at[axes[i]];
-    x = i == stops ? getEnd(i) : std::min(1., std::max(0., x + part * step[i]));
-  }
-  search.Promise = GetPromise(free, step, part, slope.Rest);
   search.IsDone = free.Size == 0 || length * part < LeastStep;
 }
 
@@ -374,8 +357,7 @@ void AdvanceSearch(
   }
   const PlaceValue& parts = search.AtBest;
   const Slope slope{ parts, rest, isSolid ? search.Bends : ReadBends(parts, rest), search.Damping };
-  cells.IsQuad(cell) ? AdvanceInQuad(search, slope)
-                     : AdvanceInSimplex(search, cells.Dimensions[cell], slope);
+  Advance(search, cells.IsQuad(cell), cells.Dimensions[cell], slope);
 }
 
 }

@@ -20,15 +20,15 @@ std::array<double, 4> LeavePartOfSimplex(
   for (int step = 0; dimension > 0 && step < levels; ++step)
   {
     const auto count = static_cast<vtkIdType>(children.size());
-    const std::array<int, 4>& corners = children[static_cast<std::size_t>(part % count)].Corners;
+    const auto& corners = children[static_cast<std::size_t>(part % count)].Corners;
     part /= count;
     std::array<double, 4> of{};
     for (int i = 0; i <= dimension; ++i)
     {
-      const int* ends =
-        corners[i] > dimension ? GetEdgeEnds(dimension, corners[i] - dimension - 1) : nullptr;
-      of[ends ? ends[0] : corners[i]] += 0.5 * weights[i];
-      of[ends ? ends[1] : corners[i]] += 0.5 * weights[i];
+      for (const int corner : corners[i])
+      {
+        of[corner] += 0.5 * weights[i];
+      }
     }
     weights = of;
   }

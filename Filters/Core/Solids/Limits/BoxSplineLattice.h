@@ -11,9 +11,9 @@
 #ifndef SubdivisionObjects_BoxSplineLattice_h
 #define SubdivisionObjects_BoxSplineLattice_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/LimitRowMaker.h"
 #include "Core/Solids/Limits/LimitStencils.h"
-#include "Core/Solids/Limits/VertexRow.h"
 #include "Core/Solids/Scheme/Level.h"
 
 #include <array>

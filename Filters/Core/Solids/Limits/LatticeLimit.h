@@ -7,9 +7,9 @@
 #ifndef SubdivisionObjects_LatticeLimit_h
 #define SubdivisionObjects_LatticeLimit_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/LimitRowMaker.h"
-#include "Core/Solids/Limits/VertexNumbers.h"
 
 #include <algorithm>
 #include <cstddef>

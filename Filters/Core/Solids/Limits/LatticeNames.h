@@ -51,14 +51,8 @@ std::array<Id, 4> GetCornersOfChild(
   std::array<Id, 4> ofChild = corners;
   for (int i = 0; i <= dimension; ++i)
   {
-    const int point = ListChildren(dimension)[child].Corners[i];
-    if (point <= dimension)
-    {
-      ofChild[i] = names.GetMidpoint(corners[point], corners[point]);
-      continue;
-    }
-    const int* ends = GetEdgeEnds(dimension, point - dimension - 1);
-    ofChild[i] = names.GetMidpoint(corners[ends[0]], corners[ends[1]]);
+    const auto [first, second] = ListChildren(dimension)[child].Corners[i];
+    ofChild[i] = names.GetMidpoint(corners[first], corners[second]);
   }
   return ofChild;
 }

@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_LatticePlaces_h
 #define SubdivisionObjects_LatticePlaces_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
-#include "Core/Solids/Limits/VertexNumbers.h"
 
 #include <array>
 #include <vector>

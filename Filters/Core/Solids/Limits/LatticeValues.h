@@ -8,8 +8,8 @@
 #ifndef SubdivisionObjects_LatticeValues_h
 #define SubdivisionObjects_LatticeValues_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
-#include "Core/Solids/Limits/VertexNumbers.h"
 
 #include <array>
 #include <vector>

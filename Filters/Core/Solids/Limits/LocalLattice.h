@@ -6,40 +6,21 @@
 #ifndef SubdivisionObjects_LocalLattice_h
 #define SubdivisionObjects_LocalLattice_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Limits/VertexRow.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace subdivision
 {
 
-/// A vertex of a level, by its number among the values of this level; on level -1 it is a control
-/// vertex.
-template <typename Id>
-struct LocalVertex
-{
-  int Level;
-  Id Number;
-
-  bool operator==(const LocalVertex& other) const
-  {
-    return this->Level == other.Level && this->Number == other.Number;
-  }
-  std::uint64_t GetHash() const
-  {
-    const std::uint64_t hash = static_cast<std::uint64_t>(this->Number) * 0x9e3779b97f4a7c15u;
-    return hash ^ hash >> 32;
-  }
-  Id GetColumn() const { return this->Number; }
-};
-
+/// Vertices have their numbers among the values of their level; on level -1 they are control
+/// vertices.
 template <typename Id>
 class LocalLattice
 {
 public:
-  using LevelRow = VertexRow<LocalVertex<Id>>;
+  using LevelRow = VertexRow<LevelVertex<Id>>;
 
   /// `limit` must outlive this.
   explicit LocalLattice(const LocalLimit<Id>& limit)
@@ -64,7 +45,7 @@ public:
   // These return true: all rules are known.
 
   /// The row of a vertex over the level before it.
-  bool ReadRow(const LocalVertex<Id>& vertex, LevelRow& row) const
+  bool ReadRow(const LevelVertex<Id>& vertex, LevelRow& row) const
   {
     Read(this->Limit.GetRowsOfLevel(vertex.Level), vertex.Number, vertex.Level - 1, row);
     return true;

@@ -4,11 +4,11 @@
 
 #include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/Ids.h"
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/LatticePlaces.h"
-#include "Core/Solids/Limits/PlaceSum.h"
-#include "Core/Solids/Limits/VertexNumbers.h"
+#include "Core/Solids/Limits/SolidPlaces.h"
 
 #include "vtkSMPThreadLocal.h"
 

@@ -6,8 +6,10 @@
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LocalLattice.h"
 #include "Core/Solids/Limits/LocalLimit.h"
-#include "Core/Solids/Limits/PlaceRows.h"
-#include "Core/Solids/Limits/PlaceSum.h"
+#include "Core/Solids/Limits/PatchPolynomials.h"
+#include "Core/Solids/Limits/PlacePolynomial.h"
+#include "Core/Solids/Limits/RegularParts.h"
+#include "Core/Solids/Limits/SolidPlaces.h"
 #include "Core/Solids/Limits/TetOctPlaces.h"
 
 #include "vtkSMPThreadLocal.h"
@@ -23,6 +25,124 @@ namespace subdivision
 {
 namespace
 {
+
+/// What the row of a place is made of: a part of a patch, or nodes with their weights.
+template <typename Id>
+struct PlaceNodes
+{
+  std::vector<Id> Vertices;
+  std::vector<std::array<double, PlaceParts::Count>> Weights;
+  int Part = 0;                                ///< SheetKey::Part; 0: there are nodes
+  const RegularSimplex<Id>* Simplex = nullptr; ///< in which the part is
+};
+
+/// The rows of a place over the columns that they have.
+template <typename Id>
+class RowsOfPlace
+{
+public:
+  explicit RowsOfPlace(LoopWeights weights)
+    : Polynomials(weights)
+  {
+  }
+
+  /// Finds the columns, ascending. `ready`: the row of a place that has nodes. Consecutive places
+  /// often have the same patch, which is read once then.
+  const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes, const PlaceRow<Id>& ready)
+  {
+    if (nodes.Part == 0)
+    {
+      return ready.Columns;
+    }
+    this->ReadPatch(nodes);
+    return this->Columns;
+  }
+  /// The sums of what FindColumns read last: one weight for each column.
+  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes, const PlaceRow<Id>& ready,
+    const PlaceSums& sums)
+  {
+    if (nodes.Part == 0)
+    {
+      ready.CopyWeights(sums);
+      return;
+    }
+    if (IsInner(nodes))
+    {
+      constexpr PatchDirections along{ { { { 1., 0. } }, { { 0., 1. } } } };
+      nodes.Simplex->Inner.Weight(place.Parameters[0], place.Parameters[1], along, sums);
+      return;
+    }
+    if (this->Weights.empty())
+    {
+      this->WeightPatch();
+    }
+    const PlaceInPart part =
+      GoToPart(place.Dimension, StartPart(place, *nodes.Simplex), nodes.Part);
+    const CornerWeights& first = part.Directions[0];
+    const CornerWeights& second = part.Directions[1];
+    const PatchParts powers = FindPatchPowers(PatchPowers::Quartic, part.At[1], part.At[2],
+      { { { { first[1], second[1] } }, { { first[2], second[2] } } } });
+    SumPowers(PatchPowers::Quartic, powers, this->Weights.data(), this->Columns.size(), sums);
+  }
+
+private:
+  /// Whether a place lies in a triangle that needs no polynomial of its own.
+  static bool IsInner(const PlaceNodes<Id>& nodes)
+  {
+    return nodes.Part == 1 && nodes.Simplex->Inner.GetSize() > 0;
+  }
+  void SortColumns()
+  {
+    std::sort(this->Columns.begin(), this->Columns.end());
+    this->Columns.erase(
+      std::unique(this->Columns.begin(), this->Columns.end()), this->Columns.end());
+  }
+  std::size_t FindPlace(Id column) const
+  {
+    return static_cast<std::size_t>(
+      std::lower_bound(this->Columns.begin(), this->Columns.end(), column) - this->Columns.begin());
+  }
+
+  void ReadPatch(const PlaceNodes<Id>& nodes)
+  {
+    if (this->Part == nodes.Part && this->Simplex == nodes.Simplex)
+    {
+      return;
+    }
+    this->Part = nodes.Part;
+    this->Simplex = nodes.Simplex;
+    this->Weights.clear();
+    if (IsInner(nodes))
+    {
+      this->Columns.assign(this->Simplex->Inner.begin(), this->Simplex->Inner.end());
+      return;
+    }
+    this->Columns = this->Simplex->Patch.Columns;
+    this->SortColumns();
+  }
+  void WeightPatch()
+  {
+    SheetKey key = this->Simplex->Patch.Key;
+    key.Part = static_cast<std::uint16_t>(this->Part);
+    const std::vector<double>& polynomials = this->Polynomials.Find(key);
+    const std::vector<Id>& columns = this->Simplex->Patch.Columns;
+    this->Weights.assign(QuarticPowers * this->Columns.size(), 0.);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+    {
+      const std::size_t to = this->FindPlace(columns[c]);
+      for (std::size_t p = 0; p < QuarticPowers; ++p)
+      {
+        this->Weights[p * this->Columns.size() + to] += polynomials[p * columns.size() + c];
+      }
+    }
+  }
+
+  PatchPolynomials Polynomials;
+  const RegularSimplex<Id>* Simplex = nullptr; ///< whose patch was read last
+  int Part = 0;                                ///< of that patch; 0: none was read
+  std::vector<Id> Columns;
+  std::vector<double> Weights; ///< of all columns for the first power, for the second, ...
+};
 
 /// How often a part of a tetrahedron is split after all of its corners lie inside, where the limit
 /// is a polynomial of degree 5: each split divides what derivatives of a polynomial of degree 4
@@ -207,16 +327,16 @@ void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimen
 template <typename LevelType, typename Id>
 std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
   RegularReader<LevelType>& reader, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places, const std::vector<SolidRow<Id>>& ready,
+  const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceRow<Id>>& ready,
   bool hasDerivatives, VertexNames<Id>& names)
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   const int sharpSteps = CountSharpSteps(creases);
   const Buffer<unsigned char> isSharpAt = FlagSharpVertices(level, creases);
-  [[maybe_unused]] OctPieces<Id> pieces;
+  [[maybe_unused]] SimplexTable<Id, 4> pieces;
   if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
   {
-    pieces = OctPieces<Id>(level, places);
+    pieces = ListOctPieces(level, FlagCorners(level.Complex.NumberOfVertices, places, true));
   }
   std::vector<PlaceNodes<Id>> all;
   all.reserve(places.size());
@@ -238,7 +358,10 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
     {
       if (dimension == 3)
       {
-        FollowTetOct(place, pieces.Find(place.Corners), names, nodes);
+        const Id piece = pieces.Find(place.Corners.data());
+        FollowTetOct(place,
+          piece < 0 ? nullptr : level.OctVertices.data() + 6 * vtkIdType(piece / PiecesOfOct),
+          names, nodes);
         continue;
       }
     }
@@ -286,7 +409,7 @@ public:
   {
   }
 
-  void Find(const PlaceNodes<Id>& nodes, SolidRow<Id>& row)
+  void Find(const PlaceNodes<Id>& nodes, PlaceRow<Id>& row)
   {
     this->Sum.Clear();
     for (std::size_t n = 0; n < nodes.Vertices.size(); ++n)
@@ -306,7 +429,7 @@ private:
 template <typename LevelType, typename Id>
 void SumNodes(const LevelType& level, const SemiSharpStages<Id>& creases,
   const VertexNames<Id>& names, const std::vector<PlaceNodes<Id>>& nodes,
-  std::vector<SolidRow<Id>>& rows)
+  std::vector<PlaceRow<Id>>& rows)
 {
   const std::vector<std::array<Id, 2>>& midpoints = names.GetMidpoints();
   Buffer<unsigned char> wanted(
@@ -327,7 +450,7 @@ void SumNodes(const LevelType& level, const SemiSharpStages<Id>& creases,
 
 /// The same where nothing moves: nodes are control vertices.
 template <typename Id>
-void TakeNodes(const std::vector<PlaceNodes<Id>>& nodes, std::vector<SolidRow<Id>>& rows)
+void TakeNodes(const std::vector<PlaceNodes<Id>>& nodes, std::vector<PlaceRow<Id>>& rows)
 {
   for (const std::size_t i : InTurn(nodes.size()))
   {
@@ -347,7 +470,7 @@ void TakeNodes(const std::vector<PlaceNodes<Id>>& nodes, std::vector<SolidRow<Id
 /// Puts the rows of all places together, in threads.
 template <typename Id>
 void Combine(LoopWeights weights, const std::vector<LimitPlace<Id>>& places,
-  const std::vector<PlaceNodes<Id>>& nodes, const std::vector<SolidRow<Id>>& ready,
+  const std::vector<PlaceNodes<Id>>& nodes, const std::vector<PlaceRow<Id>>& ready,
   PlaceDerivatives derivatives, PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
@@ -423,7 +546,7 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
   VertexNames<Id> names(level.Complex.NumberOfVertices);
   RegularReader<LevelType> reader(level, places);
-  std::vector<SolidRow<Id>> ready(places.size());
+  std::vector<PlaceRow<Id>> ready(places.size());
   if constexpr (!isLinear)
   {
     if (FindDimension(places) == 3)

@@ -104,14 +104,15 @@ std::vector<SimplexChild> MakeChildrenOf(int dimension)
       const int point = dimension == 3 ? tetrahedron::Children[child][i]
         : dimension == 2               ? triangle::Children[child][i]
                                        : (child == i ? child : 2);
-      made.Corners[i] = point;
-      if (point <= dimension)
+      const int edge = point - dimension - 1;
+      const int* ends = edge < 0 ? nullptr
+        : dimension == 3         ? tetrahedron::EdgeVertices[edge]
+                                 : triangle::EdgeVertices[edge];
+      made.Corners[i] = { { ends ? ends[0] : point, ends ? ends[1] : point } };
+      for (const int corner : made.Corners[i])
       {
-        corners[point][i] = 1.;
-        continue;
+        corners[corner][i] += 0.5;
       }
-      const int* ends = GetEdgeEnds(dimension, point - dimension - 1);
-      corners[ends[0]][i] = corners[ends[1]][i] = 0.5;
     }
     made.ToChild = Invert(corners);
     children.push_back(made);
@@ -119,11 +120,6 @@ std::vector<SimplexChild> MakeChildrenOf(int dimension)
   return children;
 }
 
-}
-
-const int* GetEdgeEnds(int dimension, int edge)
-{
-  return dimension == 3 ? tetrahedron::EdgeVertices[edge] : triangle::EdgeVertices[edge];
 }
 
 const std::vector<PlaceNode>& ListLattice(int dimension)
@@ -174,10 +170,9 @@ void PlaceInPart::GoToChild(int dimension, int child)
   const std::array<int, 4> carriers = this->Carriers;
   for (int i = 0; i <= dimension; ++i)
   {
-    const int point = taken.Corners[i];
-    const int* ends = point <= dimension ? nullptr : GetEdgeEnds(dimension, point - dimension - 1);
-    this->Carriers[i] = ends ? carriers[ends[0]] | carriers[ends[1]] : carriers[point];
-    if (!ends)
+    const auto [first, second] = taken.Corners[i];
+    this->Carriers[i] = carriers[first] | carriers[second];
+    if (first == second)
     {
       // Close to the corner that stays only the other weights are small and exact: they say where
       // the place is.

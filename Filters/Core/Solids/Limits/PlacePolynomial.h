@@ -31,17 +31,15 @@ const std::vector<PlaceNode>& ListLattice(int dimension);
 std::vector<std::array<double, PlaceParts::Count>> WeightLattice(
   int dimension, const CornerWeights& at, const std::array<CornerWeights, 3>& directions);
 
-/// A child of a simplex: its corners as lattice points (Simplices.h), and the matrix that turns
-/// weights of the corners of the simplex into those of the child.
+/// A child of a simplex.
 struct SimplexChild
 {
-  std::array<int, 4> Corners;
-  CornerMatrix ToChild;
+  /// The corners of the simplex in the middle of which each corner of the child is. Where it is a
+  /// corner itself, both are the same.
+  std::array<std::array<int, 2>, 4> Corners;
+  CornerMatrix ToChild; ///< from the weights of the corners of the simplex
 };
 const std::vector<SimplexChild>& ListChildren(int dimension);
-
-/// The ends of an edge of a simplex.
-const int* GetEdgeEnds(int dimension, int edge);
 
 CornerWeights Multiply(const CornerMatrix& matrix, const CornerWeights& weights);
 

@@ -7,10 +7,10 @@
 #ifndef SubdivisionObjects_RegularParts_h
 #define SubdivisionObjects_RegularParts_h
 
-#include "Core/Memory/PairTable.h"
 #include "Core/Operators/SplineColumns.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Core/Solids/Limits/SheetReader.h"
+#include "Core/Solids/Limits/SimplexTable.h"
 
 #include <algorithm>
 #include <array>
@@ -66,35 +66,10 @@ public:
     : Level(level)
     , Reader(level)
   {
-    Buffer<unsigned char> isCorner(level.Complex.NumberOfVertices, 0);
-    for (const LimitPlace<Id>& place : InTurn(places))
-    {
-      for (int i = 0; i <= place.Dimension; ++i)
-      {
-        isCorner[place.Corners[i]] = 1;
-      }
-    }
-    ForEachInTurn(level.Complex.NumberOfEdges,
-      [&](vtkIdType e)
-      {
-        const Id* ends = level.Complex.EdgeVertices.data() + 2 * e;
-        if (isCorner[ends[0]] && isCorner[ends[1]])
-        {
-          this->Edges.FindOrAdd(ends[0], ends[1], static_cast<Id>(e));
-        }
-      });
-    ForEachInTurn(level.Complex.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id* ids = level.Complex.FaceVertices.data() + 3 * f;
-        if (isCorner[ids[0]] && isCorner[ids[1]] && isCorner[ids[2]])
-        {
-          std::array<Id, 3> corners{ { ids[0], ids[1], ids[2] } };
-          std::sort(corners.begin(), corners.end());
-          this->Faces.emplace_back(corners, static_cast<Id>(f));
-        }
-      });
-    std::sort(this->Faces.begin(), this->Faces.end());
+    const SimplicialComplex<Id>& complex = level.Complex;
+    const auto isCorner = FlagCorners(complex.NumberOfVertices, places, false);
+    this->Edges = { complex.NumberOfEdges, isCorner, complex.EdgeVertices };
+    this->Faces = { complex.NumberOfFaces, isCorner, complex.FaceVertices };
   }
 
   const RegularSimplex<Id>& Find(const LimitPlace<Id>& place)
@@ -122,27 +97,19 @@ public:
   LoopWeights GetWeights() const { return this->Level.Strata.Weights; }
 
 private:
-  Id FindFace(std::array<Id, 3> corners) const
-  {
-    std::sort(corners.begin(), corners.end());
-    const auto face = std::lower_bound(this->Faces.begin(), this->Faces.end(), corners,
-      [](const auto& listed, const auto& wanted) { return listed.first < wanted; });
-    return face == this->Faces.end() || face->first != corners ? Id(-1) : face->second;
-  }
   Rule GetRule(Id vertex) const { return this->Level.Strata.Vertices[vertex].GetRule(); }
 
   /// Whether a vertex between the ends of an edge is regular.
   bool IsRegularEdge(Id edge) const
   {
-    return edge >= 0 &&
-      (this->Level.Strata.Edges[edge].GetRule() == Rule::Curve || this->Reader.IsInside(edge));
+    return this->Level.Strata.Edges[edge].GetRule() == Rule::Curve || this->Reader.IsInside(edge);
   }
 
   void ReadLine(const std::array<Id, 4>& corners, RegularSimplex<Id>& simplex)
   {
     RegularParts& parts = simplex.Parts;
-    const Id edge = this->Edges.Find(corners[0], corners[1]);
-    parts[3] = this->IsRegularEdge(edge);
+    const Id edge = this->Edges.Find(corners.data());
+    parts[3] = edge >= 0 && this->IsRegularEdge(edge);
     const bool isCurve = parts[3] && this->Level.Strata.Edges[edge].GetRule() == Rule::Curve;
     for (int i = 0; i < 2; ++i)
     {
@@ -191,16 +158,19 @@ private:
     RegularParts& parts = simplex.Parts;
     const auto& corners = simplex.Corners;
     const std::array<Id, 3> ordered{ { corners[0], corners[1], corners[2] } };
-    const Id face = this->FindFace(ordered);
+    const Id face = this->Faces.Find(ordered.data());
     if (face < 0 || this->Level.Strata.Faces[face].GetRule() != Rule::Surface)
     {
       return;
     }
     parts[7] = true;
+    const SimplicialComplex<Id>& complex = this->Level.Complex;
     for (int i = 0; i < 3; ++i)
     {
       const int k = (i + 1) % 3;
-      parts[1 << i | 1 << k] = this->IsRegularEdge(this->Edges.Find(corners[i], corners[k]));
+      const int opposite = complex.VertexInFace(face, corners[(i + 2) % 3]);
+      parts[1 << i | 1 << k] = this->IsRegularEdge(
+        complex.FaceEdges[3 * vtkIdType(face) + triangle::EdgeOpposite[opposite]]);
     }
     SheetPatch<Id>& patch = this->Patch;
     const bool isSheet = this->Reader.ReadFace(face, ordered, patch);
@@ -242,9 +212,9 @@ private:
 
   const LevelType& Level;
   const SheetReader<LevelType> Reader;
-  PairTable<Id> Edges;
-  std::vector<std::pair<std::array<Id, 3>, Id>> Faces; ///< by their corners, ascending
-  SheetPatch<Id> Patch;                                ///< that was read last
+  SimplexTable<Id, 2> Edges;
+  SimplexTable<Id, 3> Faces;
+  SheetPatch<Id> Patch; ///< that was read last
   std::map<std::array<Id, 4>, RegularSimplex<Id>> Found;
   const std::pair<const std::array<Id, 4>, RegularSimplex<Id>>* Last = nullptr; ///< that was found
 };

@@ -4,8 +4,8 @@
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/BoxSplinePatch.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
-#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/RegularLattice.h"
+#include "Core/Solids/Limits/SimplexTable.h"
 
 #include <algorithm>
 #include <memory>
@@ -28,7 +28,7 @@ public:
   }
 
   /// Leaves the row empty if a rule near the place is unknown.
-  void Find(const LimitPlace<Id>& place, Id tet, SolidRow<Id>& row)
+  void Find(const LimitPlace<Id>& place, Id tet, PlaceRow<Id>& row)
   {
     this->Start(place, tet);
     int level = 0;
@@ -75,11 +75,10 @@ private:
     const std::array<LatticeWeights, 4> old = this->Corners;
     for (int i = 0; i < 4; ++i)
     {
-      const int point = ListChildren(3)[static_cast<std::size_t>(child)].Corners[i];
-      const int* ends = point < 4 ? nullptr : GetEdgeEnds(3, point - 4);
+      const auto [first, second] = ListChildren(3)[static_cast<std::size_t>(child)].Corners[i];
       for (int k = 0; k < 4; ++k)
       {
-        this->Corners[i][k] = ends ? old[ends[0]][k] + old[ends[1]][k] : 2 * old[point][k];
+        this->Corners[i][k] = old[first][k] + old[second][k];
       }
     }
   }
@@ -173,28 +172,25 @@ private:
 }
 
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
+std::vector<PlaceRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
   const std::vector<LimitPlace<Id>>& places)
 {
-  const SharpSimplices<Id> sharp = FindSharpSimplices(level.Complex, creases);
-  if (!HasPlacesOnLattice(level.Strata, creases, places))
-  {
-    return std::vector<SolidRow<Id>>(places.size());
-  }
   using Finder = SolidPlaceFinder<Id>;
-  const TetTable<Id> tets(level.Complex, places);
+  const SimplexTable<Id, 4> tets(level.Complex.NumberOfTets,
+    FlagCorners(level.Complex.NumberOfVertices, places, true), level.Complex.TetVertices);
   return FindSolidRowsInThreads(
-    places, [&]() { return std::make_shared<Finder>(level, sharp); },
-    [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
+    level, creases, places,
+    [&](const SharpSimplices<Id>& sharp) { return std::make_shared<Finder>(level, sharp); },
+    [&](Finder& finder, const LimitPlace<Id>& place, PlaceRow<Id>& row)
     {
-      const Id tet = tets.Find(place.Corners);
+      const Id tet = tets.Find(place.Corners.data());
       tet >= 0 ? finder.Find(place, tet, row) : void();
     });
 }
 
-template std::vector<SolidRow<int>> FindSolidRows(
+template std::vector<PlaceRow<int>> FindSolidRows(
   const Level<int>&, const SemiSharpStages<int>&, const std::vector<LimitPlace<int>>&);
-template std::vector<SolidRow<long long>> FindSolidRows(const Level<long long>&,
+template std::vector<PlaceRow<long long>> FindSolidRows(const Level<long long>&,
   const SemiSharpStages<long long>&, const std::vector<LimitPlace<long long>>&);
 
 }

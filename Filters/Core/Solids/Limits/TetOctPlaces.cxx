@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/TetOctPlaces.h"
 
-#include "Core/Solids/Limits/PlaceSum.h"
 #include "Core/Solids/Limits/SolidPlaces.h"
 #include "Core/Solids/Limits/TetOctLattice.h"
 
@@ -38,7 +37,7 @@ public:
   {
   }
 
-  void FindInTet(const LimitPlace<Id>& place, Id tet, SolidRow<Id>& row)
+  void FindInTet(const LimitPlace<Id>& place, Id tet, PlaceRow<Id>& row)
   {
     std::array<LatticeWeights, 4> corners{};
     for (int i = 0; i < 4; ++i)
@@ -47,7 +46,7 @@ public:
     }
     this->Find(TetOctPlace<LatticeWeights>(corners, StartPart(place)), tet, row);
   }
-  void FindInOct(const LimitPlace<Id>& place, Id oct, SolidRow<Id>& row)
+  void FindInOct(const LimitPlace<Id>& place, Id oct, PlaceRow<Id>& row)
   {
     std::array<LatticeWeights, 6> vertices{};
     for (int i = 0; i < 6; ++i)
@@ -71,7 +70,7 @@ private:
   static constexpr long long Size = 1ll << Level;
 
   /// Leaves the row empty if a rule near the place is unknown.
-  void Find(TetOctPlace<LatticeWeights> inside, Id solid, SolidRow<Id>& row)
+  void Find(TetOctPlace<LatticeWeights> inside, Id solid, PlaceRow<Id>& row)
   {
     LatticeMidpoints midpoints;
     for (int splits = 0; splits < MostSplits; ++splits)
@@ -103,38 +102,31 @@ private:
 }
 
 template <typename Id>
-std::vector<SolidRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
+std::vector<PlaceRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
   const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places)
 {
-  const SharpSimplices<Id> sharp = FindSharpSimplices(level.Complex, creases);
-  if (!HasPlacesOnLattice(level.Strata, creases, places))
-  {
-    return std::vector<SolidRow<Id>>(places.size());
-  }
   using Finder = TetOctPlaceFinder<Id>;
-  const TetTable<Id> tets(level.Complex, places);
-  const OctPieces<Id> pieces(level, places);
+  const SimplicialComplex<Id>& complex = level.Complex;
+  const Buffer<unsigned char> isCorner = FlagCorners(complex.NumberOfVertices, places, true);
+  const SimplexTable<Id, 4> tets(complex.NumberOfTets, isCorner, complex.TetVertices);
+  const SimplexTable<Id, 4> pieces = ListOctPieces(level, isCorner);
   const Rows<Id> solidsAtVertices = ListSolidsAtVertices(level);
   return FindSolidRowsInThreads(
-    places, [&]() { return std::make_shared<Finder>(level, solidsAtVertices, sharp); },
-    [&](Finder& finder, const LimitPlace<Id>& place, SolidRow<Id>& row)
+    level, creases, places, [&](const SharpSimplices<Id>& sharp)
+    { return std::make_shared<Finder>(level, solidsAtVertices, sharp); },
+    [&](Finder& finder, const LimitPlace<Id>& place, PlaceRow<Id>& row)
     {
-      const Id* vertices = pieces.Find(place.Corners);
-      const Id tet = vertices ? Id(-1) : tets.Find(place.Corners);
-      if (vertices)
-      {
-        finder.FindInOct(place, static_cast<Id>((vertices - level.OctVertices.data()) / 6), row);
-      }
-      else if (tet >= 0)
-      {
-        finder.FindInTet(place, tet, row);
-      }
+      const Id piece = pieces.Find(place.Corners.data());
+      const Id tet = piece >= 0 ? Id(-1) : tets.Find(place.Corners.data());
+      piece >= 0   ? finder.FindInOct(place, piece / PiecesOfOct, row)
+        : tet >= 0 ? finder.FindInTet(place, tet, row)
+                   : void();
     });
 }
 
-template std::vector<SolidRow<int>> FindSolidRows(
+template std::vector<PlaceRow<int>> FindSolidRows(
   const TetOctLevel<int>&, const SemiSharpStages<int>&, const std::vector<LimitPlace<int>>&);
-template std::vector<SolidRow<long long>> FindSolidRows(const TetOctLevel<long long>&,
+template std::vector<PlaceRow<long long>> FindSolidRows(const TetOctLevel<long long>&,
   const SemiSharpStages<long long>&, const std::vector<LimitPlace<long long>>&);
 
 }

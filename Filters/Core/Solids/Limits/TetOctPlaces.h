@@ -10,6 +10,7 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
+#include "Core/Solids/Limits/SimplexTable.h"
 
 #include <algorithm>
 #include <array>
@@ -232,58 +233,26 @@ private:
   std::array<CornerWeights, 4> At;
 };
 
-/// Finds octahedra by the pieces in which outputs have them: both ends of a diagonal, and one end
-/// of each other diagonal.
+/// Outputs have an octahedron in pieces with both ends of a diagonal, and one end of each other
+/// one.
+constexpr int PiecesOfOct = 12;
+
+/// The pieces of one octahedron after the other, with flags at all corners.
 template <typename Id>
-class OctPieces
+SimplexTable<Id, 4> ListOctPieces(
+  const TetOctLevel<Id>& level, const Buffer<unsigned char>& isCorner)
 {
-public:
-  OctPieces() = default;
-  /// Those in which places may lie. `level` must outlive this.
-  OctPieces(const TetOctLevel<Id>& level, const std::vector<LimitPlace<Id>>& places)
-    : Vertices(level.OctVertices.data())
-  {
-    Buffer<unsigned char> isCorner(level.Complex.NumberOfVertices, 0);
-    for (const LimitPlace<Id>& place : InTurn(places))
+  return SimplexTable<Id, 4>(PiecesOfOct * vtkIdType(level.NumberOfOctahedra), isCorner,
+    [&](vtkIdType i)
     {
-      for (int i = 0; place.Dimension == 3 && i < 4; ++i)
-      {
-        isCorner[place.Corners[i]] = 1;
-      }
-    }
-    ForEachInTurn(12 * vtkIdType(level.NumberOfOctahedra),
-      [&](vtkIdType i)
-      {
-        const auto piece = static_cast<int>(i % 12);
-        const Id* vertices = level.OctVertices.data() + 6 * (i / 12);
-        const int diagonal = piece / 4;
-        const int others[2] = { (diagonal + 1) % 3, (diagonal + 2) % 3 };
-        std::array<Id, 4> corners{ { vertices[2 * diagonal], vertices[2 * diagonal + 1],
-          vertices[2 * others[0] + piece % 2], vertices[2 * others[1] + piece / 2 % 2] } };
-        if (std::all_of(corners.begin(), corners.end(), [&](Id v) { return isCorner[v] != 0; }))
-        {
-          std::sort(corners.begin(), corners.end());
-          this->Pieces.emplace_back(corners, static_cast<Id>(i / 12));
-        }
-      });
-    std::sort(this->Pieces.begin(), this->Pieces.end());
-  }
-
-  /// The vertices of the octahedron; null: the corners are those of no piece.
-  const Id* Find(std::array<Id, 4> corners) const
-  {
-    std::sort(corners.begin(), corners.end());
-    const auto found = std::lower_bound(this->Pieces.begin(), this->Pieces.end(), corners,
-      [](const auto& listed, const auto& wanted) { return listed.first < wanted; });
-    return found == this->Pieces.end() || found->first != corners
-      ? nullptr
-      : this->Vertices + 6 * vtkIdType(found->second);
-  }
-
-private:
-  const Id* Vertices = nullptr;                         ///< of all octahedra
-  std::vector<std::pair<std::array<Id, 4>, Id>> Pieces; ///< ascending
-};
+      const auto piece = static_cast<int>(i % PiecesOfOct);
+      const Id* vertices = level.OctVertices.data() + 6 * (i / PiecesOfOct);
+      const int diagonal = piece / 4;
+      const int others[2] = { (diagonal + 1) % 3, (diagonal + 2) % 3 };
+      return std::array<Id, 4>{ { vertices[2 * diagonal], vertices[2 * diagonal + 1],
+        vertices[2 * others[0] + piece % 2], vertices[2 * others[1] + piece / 2 % 2] } };
+    });
+}
 
 }
 

@@ -42,27 +42,19 @@ void GoToCornerOfQuad(int k, SurfacePlace<Id>& place)
 }
 
 /// A place of the part at corner k as one of the quad.
-inline std::array<double, 2> LeaveCornerOfQuad(int k, const std::array<double, 2>& at)
-{
-  const QuadCorner& corner = QuadCorners[k];
-  std::array<double, 2> inQuad{};
-  for (int i = 0; i < 2; ++i)
-  {
-    inQuad[corner.Axes[i]] = corner.Turned[i] ? 1. - 0.5 * at[i] : 0.5 * at[i];
-  }
-  return inQuad;
-}
 template <typename Id>
 void LeaveCornerOfQuad(int k, SurfacePlace<Id>& place)
 {
+  const std::array<double, 2> at = place.At;
   const auto directions = place.Directions;
   const QuadCorner& corner = QuadCorners[k];
-  place.At = LeaveCornerOfQuad(k, place.At);
   for (int i = 0; i < 2; ++i)
   {
+    const int axis = corner.Axes[i];
+    place.At[axis] = corner.Turned[i] ? 1. - 0.5 * at[i] : 0.5 * at[i];
     for (int p = 0; p < 2; ++p)
     {
-      place.Directions[corner.Axes[i]][p] = (corner.Turned[i] ? -0.5 : 0.5) * directions[i][p];
+      place.Directions[axis][p] = (corner.Turned[i] ? -0.5 : 0.5) * directions[i][p];
     }
   }
 }

@@ -12,20 +12,6 @@ namespace subdivision
 namespace
 {
 
-template <typename Id>
-ControlPoint<Id> Combine(std::initializer_list<std::pair<const ControlPoint<Id>*, double>> parts)
-{
-  ControlPoint<Id> sum;
-  for (const auto& [point, factor] : parts)
-  {
-    for (const auto& [vertex, weight] : *point)
-    {
-      sum.emplace_back(vertex, factor * weight);
-    }
-  }
-  return sum;
-}
-
 /// Tells whether the corners of a face have the rules of a uniform spline.
 template <typename Id>
 class RegularRules
@@ -179,7 +165,7 @@ public:
     this->Tags = &level.Tags;
   }
 
-  std::vector<ControlPoint<Id>> ReadQuad()
+  void ReadQuad(std::vector<ControlPoint<Id>>& points) const
   {
     using Grid = std::array<std::array<ControlPoint<Id>, 4>, 4>;
     // Of each edge: its direction, and the row of the grid that lies beyond it.
@@ -197,14 +183,13 @@ public:
       }
       const WalkEnds<Id> left = this->Walk(k, false, 1);
       const WalkEnds<Id> right = this->Walk((k + 1) % 4, true, 1);
-      grid[at[0] + beyond[k][0]][at[1] + beyond[k][1]] = { { left[0], 1. } };
-      grid[end[0] + beyond[k][0]][end[1] + beyond[k][1]] = { { right[0], 1. } };
+      grid[at[0] + beyond[k][0]][at[1] + beyond[k][1]] = ControlPoint<Id>::Of(left[0]);
+      grid[end[0] + beyond[k][0]][end[1] + beyond[k][1]] = ControlPoint<Id>::Of(right[0]);
       const int before = (k + 3) % 4;
       if (this->Smooth[before])
       {
-        grid[at[0] + beyond[k][0] + beyond[before][0]][at[1] + beyond[k][1] + beyond[before][1]] = {
-          { this->GetOpposite(k), 1. }
-        };
+        grid[at[0] + beyond[k][0] + beyond[before][0]][at[1] + beyond[k][1] + beyond[before][1]] =
+          ControlPoint<Id>::Of(this->GetOpposite(k));
       }
     }
     const auto mirror =
@@ -212,7 +197,7 @@ public:
     {
       if (!on.empty() && !inside.empty())
       {
-        to = Combine<Id>({ { &on, 2. }, { &inside, -1. } });
+        to = ControlPoint<Id>().Add(on, 2.).Add(inside, -1.);
       }
     };
     for (int i = 0; i < 4; ++i)
@@ -237,7 +222,6 @@ public:
         mirror(grid[i][3], grid[i][2], grid[i][1]);
       }
     }
-    std::vector<ControlPoint<Id>> points;
     for (int y = 0; y < 4; ++y)
     {
       for (int x = 0; x < 4; ++x)
@@ -245,12 +229,11 @@ public:
         points.push_back(grid[x][y]);
       }
     }
-    return points;
   }
 
   /// The corners; the points beyond edges k; then for each corner k the point next to that beyond
   /// edge k, and the one next to that beyond the edge before.
-  std::vector<ControlPoint<Id>> ReadTriangle()
+  void ReadTriangle(std::vector<ControlPoint<Id>>& points) const
   {
     std::array<ControlPoint<Id>, 3> own;
     std::array<ControlPoint<Id>, 3> beyond;
@@ -260,10 +243,10 @@ public:
     }
     for (int k = 0; k < 3; ++k)
     {
-      beyond[k] = this->Smooth[k] ? ControlPoint<Id>{ { this->Walk(k, false, 1)[0], 1. } }
+      beyond[k] = this->Smooth[k] ? ControlPoint<Id>::Of(this->Walk(k, false, 1)[0])
                                   : Mirror(own[k], own[(k + 1) % 3], own[(k + 2) % 3]);
     }
-    std::vector<ControlPoint<Id>> points(own.begin(), own.end());
+    points.assign(own.begin(), own.end());
     points.insert(points.end(), beyond.begin(), beyond.end());
     for (int k = 0; k < 3; ++k)
     {
@@ -277,16 +260,16 @@ public:
       const WalkEnds<Id> backward = this->Walk(k, true, 2);
       if (forward.size() > 1)
       {
-        atNext = { { forward[1], 1. } };
+        atNext.Add(forward[1], 1.);
       }
       if (backward.size() > 1)
       {
-        atLast = { { backward[1], 1. } };
+        atLast.Add(backward[1], 1.);
       }
       if (forward.empty() && backward.empty()) // a corner
       {
-        atNext = Combine<Id>({ { &own[k], 2. }, { &last, -1. } });
-        atLast = Combine<Id>({ { &own[k], 2. }, { &next, -1. } });
+        atNext.Add(own[k], 2.).Add(last, -1.);
+        atLast.Add(own[k], 2.).Add(next, -1.);
       }
       else if (forward.size() == 1 && backward.size() == 1) // the face is in the middle
       {
@@ -304,48 +287,18 @@ public:
       points.push_back(atNext);
       points.push_back(atLast);
     }
-    return points;
-  }
-
-  /// The same two, where each control point is a vertex.
-  void ListQuad(std::array<Id, BicubicPoints>& points) const
-  {
-    // Of each corner: itself; the points beyond its two edges, the next and the one before; and the
-    // point opposite to it.
-    constexpr int own[4] = { 5, 6, 10, 9 };
-    constexpr int beyondNext[4] = { 1, 7, 14, 8 };
-    constexpr int beyondBefore[4] = { 4, 2, 11, 13 };
-    constexpr int opposite[4] = { 0, 3, 15, 12 };
-    for (int k = 0; k < 4; ++k)
-    {
-      points[own[k]] = this->Mesh.Vertices[this->First + k];
-      points[beyondNext[k]] = this->Walk(k, false, 1)[0];
-      points[beyondBefore[k]] = this->Walk(k, true, 1)[0];
-      points[opposite[k]] = this->GetOpposite(k);
-    }
-  }
-  void ListTriangle(std::array<Id, BicubicPoints>& points) const
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const WalkEnds<Id> forward = this->Walk(k, false, 2);
-      points[k] = this->Mesh.Vertices[this->First + k];
-      points[3 + k] = forward[0];
-      points[6 + 2 * k] = forward[1];
-      points[7 + 2 * k] = this->Walk(k, true, 2)[1];
-    }
   }
 
 private:
   ControlPoint<Id> GetCorner(int k) const
   {
-    return { { this->Mesh.Vertices[this->First + k], 1. } };
+    return ControlPoint<Id>::Of(this->Mesh.Vertices[this->First + k]);
   }
   /// The point beyond an edge on a curve.
   static ControlPoint<Id> Mirror(
     const ControlPoint<Id>& a, const ControlPoint<Id>& b, const ControlPoint<Id>& inside)
   {
-    return Combine<Id>({ { &a, 1. }, { &b, 1. }, { &inside, -1. } });
+    return ControlPoint<Id>().Add(a, 1.).Add(b, 1.).Add(inside, -1.);
   }
 
   /// The other ends of the edges to which a walk around corner k comes: across edge k, or, if
@@ -392,9 +345,10 @@ bool RegularPatch<Id>::FindFace(const SurfaceLevel<Id>& level, Id face)
   {
     return false;
   }
-  ControlPointReader<Id> reader(level, face);
+  const ControlPointReader<Id> reader(level, face);
   this->Domain = sides == 4 ? PolynomialDomain::Quad : PolynomialDomain::Triangle;
-  this->Points = sides == 4 ? reader.ReadQuad() : reader.ReadTriangle();
+  this->Points.clear();
+  sides == 4 ? reader.ReadQuad(this->Points) : reader.ReadTriangle(this->Points);
   return true;
 }
 
@@ -413,7 +367,7 @@ bool RegularPatch<Id>::FindLine(const SurfaceLevel<Id>& level, Id edge)
     const Id vertex = ends[end];
     if (level.Tags.Vertices[vertex] == VertexTag::Corner)
     {
-      beyond[end] = { { vertex, 2. }, { ends[1 - end], -1. } };
+      beyond[end].Add(vertex, 2.).Add(ends[1 - end], -1.);
       continue;
     }
     CollectCurveEdges(level.Mesh, level.Tags, vertex, curve);
@@ -423,57 +377,85 @@ bool RegularPatch<Id>::FindLine(const SurfaceLevel<Id>& level, Id edge)
       return false;
     }
     const Id other = curve[0] == edge ? curve[1] : curve[0];
-    beyond[end] = { { level.Mesh.GetOtherEnd(other, vertex), 1. } };
+    beyond[end].Add(level.Mesh.GetOtherEnd(other, vertex), 1.);
   }
   this->Domain = PolynomialDomain::Line;
-  this->Points = { beyond[0], { { ends[0], 1. } }, { { ends[1], 1. } }, beyond[1] };
+  this->Points = { beyond[0], ControlPoint<Id>::Of(ends[0]), ControlPoint<Id>::Of(ends[1]),
+    beyond[1] };
   return true;
 }
 
 template <typename Id>
-bool FindSplineColumns(const SurfaceLevel<Id>& level, Id face, SplineColumns<Id>& columns)
+bool RegularPatch<Id>::TakeColumns(SplineColumns<Id>& columns) const
 {
-  const int sides = static_cast<int>(level.Mesh.GetSize(face));
-  const Id* corners = level.Mesh.Vertices.data() + level.Mesh.GetFirst(face);
-  const auto isSmooth = [&level](Id vertex)
-  { return level.Tags.Vertices[vertex] == VertexTag::Smooth; };
-  if ((sides != 3 && sides != 4) || !std::all_of(corners, corners + sides, isSmooth) ||
-    !RegularRules<Id>(level, sides).IsRegularFace(face))
+  if (!std::all_of(this->Points.begin(), this->Points.end(),
+        [](const ControlPoint<Id>& point) { return point.Size == 1; }))
   {
     return false;
   }
-  const ControlPointReader<Id> reader(level, face);
   std::array<Id, BicubicPoints> points;
-  sides == 4 ? reader.ListQuad(points) : reader.ListTriangle(points);
-  return columns.Set(points, sides == 4 ? BicubicPoints : BoxSplinePoints);
+  std::transform(this->Points.begin(), this->Points.end(), points.begin(),
+    [](const ControlPoint<Id>& point) { return point.begin()->Vertex; });
+  return columns.Set(points, static_cast<int>(this->Points.size()));
 }
 
-template <typename Id>
-PatchColumns<Id>::PatchColumns(const RegularPatch<Id>& patch)
-  : Domain(patch.Domain)
+void WeightControlPoints(PolynomialDomain domain, const PlaceAt& at,
+  const PatchDirections& directions, PlaceDerivatives derivatives, PatchParts& parts)
 {
-  for (std::size_t point = 0; point < patch.Points.size(); ++point)
+  switch (domain)
   {
-    for (const auto& [vertex, weight] : patch.Points[point])
+    case PolynomialDomain::Line:
+      WeightCubic(at[0], directions, parts);
+      return;
+    case PolynomialDomain::Triangle:
+      WeightBoxSpline(at[0], at[1], directions, derivatives, parts);
+      return;
+    default:
+      WeightBicubic(at[0], at[1], directions, derivatives, parts);
+  }
+}
+
+PatchParts WeightCorners(int corners, const PlaceAt& at, const PatchDirections& directions)
+{
+  const auto [x, y] = at;
+  const auto& [dx, dy] = directions;
+  PatchParts parts{};
+  // The function that is 1 at corner k, and its derivatives.
+  const auto set = [&, &dx = dx, &dy = dy](
+                     int k, double value, double byX, double byY, double byBoth)
+  {
+    parts[PlaceParts::Value][k] = value;
+    for (int p = 0; p < 2; ++p)
     {
-      this->Vertices.push_back(vertex);
-      this->Entries.push_back({ static_cast<int>(point), 0, weight });
+      parts[PlaceParts::First + p][k] = byX * dx[p] + byY * dy[p];
     }
-  }
-  const std::vector<Id> all = this->Vertices;
-  std::sort(this->Vertices.begin(), this->Vertices.end());
-  this->Vertices.erase(
-    std::unique(this->Vertices.begin(), this->Vertices.end()), this->Vertices.end());
-  for (std::size_t i = 0; i < all.size(); ++i)
+    parts[PlaceParts::Second][k] = 2. * byBoth * dx[0] * dy[0];
+    parts[PlaceParts::Mixed][k] = byBoth * (dx[0] * dy[1] + dx[1] * dy[0]);
+    parts[PlaceParts::SecondOfSecond][k] = 2. * byBoth * dx[1] * dy[1];
+  };
+  switch (corners)
   {
-    this->Entries[i].Column =
-      static_cast<int>(std::lower_bound(this->Vertices.begin(), this->Vertices.end(), all[i]) -
-        this->Vertices.begin());
+    case 1:
+      set(0, 1., 0., 0., 0.);
+      break;
+    case 2:
+      set(0, 1. - x, -1., 0., 0.);
+      set(1, x, 1., 0., 0.);
+      break;
+    case 3:
+      set(0, 1. - x - y, -1., -1., 0.);
+      set(1, x, 1., 0., 0.);
+      set(2, y, 0., 1., 0.);
+      break;
+    default:
+      set(0, (1. - x) * (1. - y), y - 1., x - 1., 1.);
+      set(1, x * (1. - y), 1. - y, -x, -1.);
+      set(2, x * y, y, x, 1.);
+      set(3, (1. - x) * y, -y, 1. - x, -1.);
   }
+  return parts;
 }
 
 SUBDIVISION_COMPILE(struct RegularPatch);
-SUBDIVISION_COMPILE(struct PatchColumns);
-SUBDIVISION_COMPILE_FUNCTION(FindSplineColumns);
 
 }

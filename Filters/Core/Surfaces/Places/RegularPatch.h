@@ -13,7 +13,7 @@
 #include "Core/Operators/SplineColumns.h"
 #include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
-#include <utility>
+#include <array>
 #include <vector>
 
 namespace subdivision
@@ -21,7 +21,37 @@ namespace subdivision
 
 /// The vertices and weights that a control point is the sum of.
 template <typename Id>
-using ControlPoint = std::vector<std::pair<Id, double>>;
+struct ControlPoint
+{
+  struct Entry
+  {
+    Id Vertex;
+    double Weight;
+  };
+
+  static ControlPoint Of(Id vertex) { return ControlPoint().Add(vertex, 1.); }
+  ControlPoint& Add(Id vertex, double weight)
+  {
+    this->Entries[this->Size++] = { vertex, weight };
+    return *this;
+  }
+  ControlPoint& Add(const ControlPoint& point, double factor)
+  {
+    for (const Entry& entry : point)
+    {
+      this->Add(entry.Vertex, factor * entry.Weight);
+    }
+    return *this;
+  }
+  bool empty() const { return this->Size == 0; }
+  const Entry* begin() const { return this->Entries.data(); }
+  const Entry* end() const { return this->begin() + this->Size; }
+
+  int Size = 0;
+
+private:
+  std::array<Entry, 6> Entries; ///< five in a triangle between two curves, four in a quad
+};
 
 enum class PolynomialDomain
 {
@@ -40,30 +70,21 @@ struct RegularPatch
   /// not. All faces must have the number of corners of the scheme.
   bool FindFace(const SurfaceLevel<Id>& level, Id face);
   bool FindLine(const SurfaceLevel<Id>& level, Id edge);
+  /// Takes the columns over a face inside of a regular surface. False: it is none of these.
+  bool TakeColumns(SplineColumns<Id>& columns) const;
 };
 
-/// Finds the columns of a face inside of a regular surface. False: it is none of these.
-template <typename Id>
-bool FindSplineColumns(const SurfaceLevel<Id>& level, Id face, SplineColumns<Id>& columns);
+/// Where a place is: on a line x goes from the first vertex of the edge to the second one. In a
+/// face the corners are at (0, 0), (1, 0), then (0, 1), or (1, 1) and (0, 1).
+using PlaceAt = std::array<double, 2>;
 
-/// The vertices of a level that the control points are sums of.
-template <typename Id>
-struct PatchColumns
-{
-  struct Entry
-  {
-    int Point;
-    int Column;
-    double Weight;
-  };
+/// Sets the wanted PlaceParts for the control points of a regular patch. There is no derivative by
+/// a third parameter.
+void WeightControlPoints(PolynomialDomain domain, const PlaceAt& at,
+  const PatchDirections& directions, PlaceDerivatives derivatives, PatchParts& parts);
 
-  PatchColumns() = default;
-  explicit PatchColumns(const RegularPatch<Id>& patch);
-
-  PolynomialDomain Domain = PolynomialDomain::Line;
-  std::vector<Id> Vertices; ///< ascending
-  std::vector<Entry> Entries;
-};
+/// Of the corners of a part that counts as flat: linear, or bilinear.
+PatchParts WeightCorners(int corners, const PlaceAt& at, const PatchDirections& directions);
 
 }
 

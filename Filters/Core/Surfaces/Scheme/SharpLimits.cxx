@@ -10,12 +10,6 @@
 
 namespace subdivision
 {
-namespace
-{
-
-/// Collects the vertices whose limits depend on sharp edges: the ends of these edges, their
-/// neighbours, because the rules of edges and faces there depend on them, and the neighbours of
-/// these, because of tangents.
 template <typename Id>
 std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
@@ -29,6 +23,9 @@ std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<Sharp
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   return CollectWithNeighbours(mesh, CollectWithNeighbours(mesh, ends));
 }
+
+namespace
+{
 
 /// Refines the surroundings of some vertices step by step, and takes the limit rows of each vertex
 /// as soon as no sharp edge is near it.
@@ -197,5 +194,6 @@ void SharpLimits<Id>::Append(vtkIdType row, LimitKind kind, RowBlock<Id>& rows) 
 }
 
 SUBDIVISION_COMPILE(class SharpLimits);
+SUBDIVISION_COMPILE_FUNCTION(CollectNear);
 
 }

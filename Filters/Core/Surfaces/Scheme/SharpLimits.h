@@ -19,6 +19,12 @@
 namespace subdivision
 {
 
+/// The vertices whose limits depend on sharp edges, ascending: the ends of these edges, their
+/// neighbours, because the rules of edges and faces there depend on them, and the neighbours of
+/// these, because of tangents.
+template <typename Id>
+std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges);
+
 template <typename Id>
 class SharpLimits
 {

@@ -134,12 +134,10 @@ private:
         const auto before = weights;
         for (int k = 0; k < size; ++k)
         {
-          const int point = children[child].Corners[k];
-          const int* ends = point < size ? nullptr : GetEdgeEnds(size - 1, point - size);
+          const auto [first, second] = children[child].Corners[k];
           for (int c = 0; c < 3; ++c)
           {
-            weights[k][c] =
-              ends ? 0.5 * (before[ends[0]][c] + before[ends[1]][c]) : before[point][c];
+            weights[k][c] = 0.5 * (before[first][c] + before[second][c]);
           }
         }
       }

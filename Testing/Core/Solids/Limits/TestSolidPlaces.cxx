@@ -108,7 +108,7 @@ std::vector<DenseRow> FindBySplits(const Level<int>& level,
   return rows;
 }
 
-DenseRow ToDense(const SolidRow<int>& row)
+DenseRow ToDense(const PlaceRow<int>& row)
 {
   DenseRow dense;
   for (std::size_t c = 0; c < row.Columns.size(); ++c)
@@ -144,7 +144,7 @@ struct Found
 Found FindKnown(const Level<int>& level, const std::vector<LimitPlace<int>>& places,
   const SemiSharpStages<int>& creases = SemiSharpStages<int>())
 {
-  const std::vector<SolidRow<int>> rows = FindSolidRows(level, creases, places);
+  const std::vector<PlaceRow<int>> rows = FindSolidRows(level, creases, places);
   Found found;
   for (std::size_t i = 0; i < places.size(); ++i)
   {
@@ -263,7 +263,7 @@ TEST(SolidPlaces, LatticesAreNotSplit)
       }
     }
     ASSERT_EQ(places.size(), 27u * 6u);
-    const std::vector<SolidRow<int>> rows = FindSolidRows(level, SemiSharpStages<int>(), places);
+    const std::vector<PlaceRow<int>> rows = FindSolidRows(level, SemiSharpStages<int>(), places);
     for (std::size_t i = 0; i < places.size(); ++i)
     {
       EXPECT_LE(rows[i].Columns.size(), 32u);

@@ -4,12 +4,12 @@
  * Rows of places do not depend on the order of places, on other places, or on what else is wanted;
  * and inside of a regular surface they are those that every regular face has.
  */
-#include "Core/Surfaces/Places/PatchWeights.h"
 #include "Core/Surfaces/Places/RegularPatch.h"
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "SurfaceTools.h"
 
 #include <algorithm>
+#include <set>
 
 using namespace surfacetools;
 
@@ -129,14 +129,27 @@ TEST(PlaceRows, InnerFacesHaveTheControlPointsOfRegularOnes)
       walk.Step();
       for (int face = 0; face < walk.Level.Mesh.NumberOfFaces; ++face)
       {
+        RegularPatch<int> patch;
         SplineColumns<int> columns;
-        if (!FindSplineColumns(walk.Level, face, columns))
+        if (!patch.FindFace(walk.Level, face))
+        {
+          continue;
+        }
+        const int* corners = walk.Level.Mesh.Vertices.data() + walk.Level.Mesh.GetFirst(face);
+        const bool isInside = std::all_of(corners, corners + walk.Level.Mesh.GetSize(face),
+          [&](int v) { return walk.Level.Tags.Vertices[v] == VertexTag::Smooth; });
+        std::set<int> vertices;
+        for (const ControlPoint<int>& point : patch.Points)
+        {
+          vertices.insert(point.begin()->Vertex);
+        }
+        ASSERT_EQ(patch.TakeColumns(columns), isInside && vertices.size() == patch.Points.size())
+          << name;
+        if (columns.GetSize() == 0)
         {
           continue;
         }
         ++inner;
-        RegularPatch<int> patch;
-        ASSERT_TRUE(patch.FindFace(walk.Level, face)) << name;
         ASSERT_EQ(patch.Points.size(), static_cast<std::size_t>(columns.GetSize())) << name;
         ASSERT_TRUE(std::is_sorted(columns.begin(), columns.end())) << name;
         PatchParts ofPoints;
@@ -151,8 +164,9 @@ TEST(PlaceRows, InnerFacesHaveTheControlPointsOfRegularOnes)
         columns.Weight(0.3, 0.2, directions, sums);
         for (std::size_t j = 0; j < patch.Points.size(); ++j)
         {
-          ASSERT_EQ(patch.Points[j].size(), 1u) << name;
-          const auto* at = std::find(columns.begin(), columns.end(), patch.Points[j][0].first);
+          ASSERT_EQ(patch.Points[j].Size, 1) << name;
+          const auto* at =
+            std::find(columns.begin(), columns.end(), patch.Points[j].begin()->Vertex);
           ASSERT_NE(at, columns.end()) << name;
           for (const auto part : PartsOfSurfaces)
           {

@@ -4,7 +4,6 @@
  * The polynomials over regular faces: sums, reproduction of linear functions, limits of vertices at
  * corners, derivatives, and what counts as regular.
  */
-#include "Core/Surfaces/Places/PatchWeights.h"
 #include "Core/Surfaces/Places/RegularPatch.h"
 #include "SurfaceTools.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file VertexNumbers.h
- * Numbers vertices of a level, whatever names them (VertexRow.h), or other things that have
- * GetHash() and can be compared, with a hash table.
+ * @file VertexRow.h
+ * Weighted sums over vertices of one level, whatever names the vertices, and their numbers.
  */
-#ifndef SubdivisionObjects_VertexNumbers_h
-#define SubdivisionObjects_VertexNumbers_h
+#ifndef SubdivisionObjects_VertexRow_h
+#define SubdivisionObjects_VertexRow_h
 
 #include <cstddef>
 #include <cstdint>
@@ -14,6 +13,46 @@
 namespace subdivision
 {
 
+template <typename VertexType>
+struct VertexRow
+{
+  using Vertex = VertexType;
+
+  std::vector<Vertex> Vertices;
+  std::vector<double> Weights;
+
+  void Clear()
+  {
+    this->Vertices.clear();
+    this->Weights.clear();
+  }
+  void Add(const Vertex& vertex, double weight)
+  {
+    this->Vertices.push_back(vertex);
+    this->Weights.push_back(weight);
+  }
+};
+
+/// A vertex of a level by its number there.
+template <typename Id>
+struct LevelVertex
+{
+  int Level;
+  Id Number;
+
+  bool operator==(const LevelVertex& other) const
+  {
+    return this->Level == other.Level && this->Number == other.Number;
+  }
+  std::uint64_t GetHash() const
+  {
+    const std::uint64_t hash = static_cast<std::uint64_t>(this->Number) * 0x9e3779b97f4a7c15u;
+    return hash ^ hash >> 32;
+  }
+  Id GetColumn() const { return this->Number; }
+};
+
+/// Numbers vertices, or other things that have GetHash() and can be compared, with a hash table.
 template <typename Vertex>
 class VertexNumbers
 {

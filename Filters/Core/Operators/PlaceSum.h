@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PlaceSum.h
- * What the ways to places share: a sum over few vertices around the place, which goes back from
- * level to level; and those to places in solids (SolidPlaces.h): tetrahedra by their corners.
+ * The row of a place as a sum over few vertices around it, which goes back from level to level.
  */
 #ifndef SubdivisionObjects_PlaceSum_h
 #define SubdivisionObjects_PlaceSum_h
 
-#include "Core/Memory/UnevenRanges.h"
-#include "Core/Solids/Limits/BoxSplineLattice.h"
-#include "Core/Solids/Limits/SolidPlaces.h"
-#include "Core/Solids/Limits/VertexNumbers.h"
-
-#include "vtkSMPThreadLocal.h"
+#include "Core/Operators/PlaceParts.h"
+#include "Core/Operators/VertexRow.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdint>
-#include <memory>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -27,9 +20,24 @@ namespace subdivision
 
 using PartWeights = std::array<double, PlaceParts::Count>;
 
-/// How often a simplex is split around a place that lies in no polynomial. The limit is linear over
-/// a part as small as this but for rounding, which does not grow with the splits (PlaceSum).
-constexpr int MostSplits = 52;
+/// The row of a place (PlaceParts), with ascending columns.
+template <typename Id>
+struct PlaceRow
+{
+  std::vector<Id> Columns;
+  std::vector<PartWeights> Weights; ///< of each column
+
+  void CopyWeights(const PlaceSums& to) const
+  {
+    for (std::size_t c = 0; c < this->Weights.size(); ++c)
+    {
+      for (std::size_t p = 0; p < PlaceParts::Count; ++p)
+      {
+        to[p] ? void(to[p][c] = this->Weights[c][p]) : void();
+      }
+    }
+  }
+};
 
 /// Weighted sums over vertices of a level, each of which it has once. `Weights`: an array, one
 /// weight for each of the sums.
@@ -70,7 +78,7 @@ public:
   using Vertex = typename LevelRow::Vertex;
 
   /// `lattice` knows the rows and limits of the vertices of all levels (BoxSplineLattice.h,
-  /// LocalLattice.h).
+  /// LocalLattice.h, SurfacePlaces.cxx).
   explicit PlaceSum(Lattice& lattice)
     : Vertices(lattice)
   {
@@ -124,13 +132,13 @@ public:
     }
   }
   template <typename Id>
-  void Write(SolidRow<Id>& row) const
+  void Write(PlaceRow<Id>& row) const
   {
     this->ForColumns(
       [&row](Id column, const Weights& weights)
       {
         row.Columns.push_back(column);
-        row.Weights.push_back(weights);
+        std::copy_n(weights.begin(), PlaceParts::Count, row.Weights.emplace_back().begin());
       });
   }
 
@@ -173,103 +181,6 @@ private:
   VertexSum<Vertex, Weights> Before;
   LevelRow Found;
 };
-
-/// Finds tetrahedra by their corners.
-template <typename Id>
-class TetTable
-{
-public:
-  TetTable(const SimplicialComplex<Id>& complex, const std::vector<LimitPlace<Id>>& places)
-  {
-    Buffer<unsigned char> isCorner(complex.NumberOfVertices, 0);
-    for (const LimitPlace<Id>& place : InTurn(places))
-    {
-      for (int i = 0; place.Dimension == 3 && i < 4; ++i)
-      {
-        isCorner[place.Corners[i]] = 1;
-      }
-    }
-    ForEachInTurn(complex.NumberOfTets,
-      [&](vtkIdType t)
-      {
-        std::array<Id, 4> corners;
-        std::copy_n(complex.TetVertices.data() + 4 * t, 4, corners.begin());
-        if (std::all_of(corners.begin(), corners.end(), [&](Id v) { return isCorner[v] != 0; }))
-        {
-          std::sort(corners.begin(), corners.end());
-          this->Tets.emplace_back(corners, static_cast<Id>(t));
-        }
-      });
-    std::sort(this->Tets.begin(), this->Tets.end());
-  }
-  /// -1: there is none.
-  Id Find(std::array<Id, 4> corners) const
-  {
-    std::sort(corners.begin(), corners.end());
-    const auto found = std::lower_bound(this->Tets.begin(), this->Tets.end(), corners,
-      [](const auto& listed, const auto& wanted) { return listed.first < wanted; });
-    return found == this->Tets.end() || found->first != corners ? Id(-1) : found->second;
-  }
-
-private:
-  std::vector<std::pair<std::array<Id, 4>, Id>> Tets; ///< ascending
-};
-
-/// act(finder, number of the place) for all places in threads, each of which makes a finder.
-template <typename Make, typename Act>
-void ForPlacesInThreads(std::size_t places, const Make& make, const Act& act)
-{
-  vtkSMPThreadLocal<decltype(make())> ofThreads;
-  ForUnevenRanges(static_cast<vtkIdType>(places),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      auto& finder = ofThreads.Local();
-      if (!finder)
-      {
-        finder = make();
-      }
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        act(*finder, i);
-      }
-    });
-}
-
-/// Finds the rows of all places in solids: find(finder, place, row).
-template <typename Id, typename Make, typename Find>
-std::vector<SolidRow<Id>> FindSolidRowsInThreads(
-  const std::vector<LimitPlace<Id>>& places, const Make& make, const Find& find)
-{
-  std::vector<SolidRow<Id>> rows(places.size());
-  ForPlacesInThreads(places.size(), make, [&](auto& finder, std::size_t i)
-    { places[i].Dimension == 3 ? find(finder, places[i], rows[i]) : void(); });
-  return rows;
-}
-
-/// Whether rules depend both on sectors and on what is semi-sharp: then rows read more of what is
-/// semi-sharp than what lies at their vertex or edge.
-template <typename Id>
-bool HasSharpSectors(const Strata<Id>& strata, const SemiSharpStages<Id>& creases)
-{
-  const auto hasSectors = [](const SharpStage<Id>& stage) { return !stage.Strata.Sectors.empty(); };
-  const auto isSharp = [](double sharpness) { return sharpness > 0.; };
-  const bool isAnySharp =
-    std::any_of(creases.Sharpness.begin(), creases.Sharpness.end(), isSharp) ||
-    std::any_of(creases.FaceSharpness.begin(), creases.FaceSharpness.end(), isSharp);
-  return isAnySharp &&
-    (!strata.Sectors.empty() ||
-      std::any_of(creases.Stages.begin(), creases.Stages.end(), hasSectors));
-}
-
-/// Whether any place is in a solid whose rows a lattice may know.
-template <typename Id>
-bool HasPlacesOnLattice(const Strata<Id>& strata, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places)
-{
-  return std::any_of(places.begin(), places.end(),
-           [](const LimitPlace<Id>& place) { return place.Dimension == 3; }) &&
-    !HasSharpSectors(strata, creases);
-}
 
 }
 
