@@ -14,13 +14,11 @@
 #include <string>
 #include <vector>
 
-class vtkPointSet;
-
 namespace subdivision
 {
 
 class MatrixFactors;
-class Partners;
+class OtherPartitions;
 class ToldWarnings;
 
 /// From where to where the progress of a filter goes during a part of its work.
@@ -51,9 +49,8 @@ struct RunOptions
   std::function<void(const std::string&)> Warn;
   ToldWarnings* Told = nullptr; ///< warnings of earlier time steps; null: nobody knows
   std::function<void(const std::string&)> Fail;
-  /// The other partitions of the mesh of which the work gets a part, here its argument; null, or
-  /// returns null, if it gets all.
-  std::function<Partners*(vtkPointSet*)> FindPartners;
+  /// The other partitions of the mesh of which the work gets a part; null: it gets all.
+  OtherPartitions* Others = nullptr;
   /// How many layers of fine cells of other partitions around its own the output of a part needs.
   int GhostLayers = 0;
   /// Where the operator from points of the input to points of the output goes as a matrix; null:
@@ -62,11 +59,6 @@ struct RunOptions
   /// A further text in the warning of missing values (MissingValues.h).
   std::string* NoteOfMissing = nullptr;
 };
-
-inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
-{
-  return options.FindPartners ? options.FindPartners(mesh) : nullptr;
-}
 
 /// Passes warnings that were collected to Warn, and forgets them.
 inline void Tell(std::vector<std::string>& warnings, const RunOptions& options)
