@@ -3,7 +3,7 @@
 // tables. Not a part of the program with Google Benchmark, which knows one process only.
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/Layers.h"
-#include "Private/Distribution/Meeting.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -25,7 +25,6 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
-#include <memory>
 #include <string>
 
 using namespace subdivision;
@@ -142,8 +141,8 @@ struct Cost
 class Watch
 {
 public:
-  explicit Watch(const Exchange& exchange)
-    : Traffic(exchange)
+  explicit Watch(const PartitionsOfRank& partitions)
+    : Traffic(partitions)
   {
   }
   Cost Next()
@@ -163,7 +162,7 @@ public:
   }
 
 private:
-  const Exchange& Traffic;
+  const PartitionsOfRank& Traffic;
   std::chrono::steady_clock::time_point Then = std::chrono::steady_clock::now();
   std::clock_t ThenProcessor = std::clock();
   vtkIdType Messages = 0;
@@ -246,36 +245,36 @@ Measured MeasureOnce(vtkMPIController& controller, const Block& slab, int levels
   std::vector<Block> blocks = { slab };
   blocks[0].Output = MakeMesh(false);
   Measured measured;
-  Exchange exchange(&controller);
+  PartitionsOfRank partitions(&controller);
+  ExchangeOfAll exchange(partitions);
   controller.Barrier();
-  Watch watch(exchange);
-  std::vector<std::vector<MeshPart>> parts(1);
-  parts[0].push_back({ slab.Input, 0, {}, {} });
+  Watch watch(partitions);
+  std::vector<MeshPart> parts{ { slab.Input, 0, {}, {} } };
   const int pointType = FindPointType(parts, exchange);
   IdentifyPoints(parts, exchange, options.Warn);
   measured.Costs[Identify] = watch.Next();
-  std::vector<SentLayers> sent;
-  if (exchange.GetNumberOfRanks() > 1)
+  SentLayers sent;
+  const bool isShared = partitions.GetNumberOfPartitions() > 1;
+  if (isShared)
   {
     sent = AddLayers(parts, DistributionOptions().Layers, exchange);
     ShareArrays(parts, exchange);
   }
   measured.Costs[Layers] = watch.Next();
-  const JoinedMesh joined = Join(parts[0], pointType);
+  const JoinedMesh joined = Join(parts, pointType);
   parts.clear();
   measured.Costs[Joining] = watch.Next();
-  Meeting meeting(exchange);
-  std::unique_ptr<Partners> partners;
-  if (!sent.empty())
+  ExchangeOfWork others(partitions, 0);
+  if (isShared)
   {
-    partners = meeting.MakePartners(0, joined, sent[0].OfFirst);
-    options.FindPartners = [&](vtkPointSet*) { return partners.get(); };
+    others.Start(joined, sent.OfFirst);
+    options.Others = &others;
   }
   const auto whole = MakeMesh(false);
   const bool done = work(joined.Mesh, whole);
-  if (partners)
+  if (isShared)
   {
-    meeting.End(0, done);
+    others.End(done);
   }
   measured.Costs[Subdivide] = watch.Next();
   TakeOutputs(joined, whole, OutputOptions(), blocks);
@@ -379,12 +378,13 @@ bool MeasureSimulated(vtkIdType side, vtkIdType size, int levels)
     const auto cells = static_cast<double>(input->GetNumberOfCells());
     joined += cells;
     largest = std::max(largest, cells);
+    options.Others = nullptr; // so that no partition waits, and has its memory then
     return subdivide(input, output);
   };
-  Exchange exchange(nullptr, static_cast<int>(partitions.size()));
-  Watch watch(exchange);
+  PartitionsOfRank ofRank(nullptr, static_cast<int>(partitions.size()));
+  Watch watch(ofRank);
   const bool done =
-    RunPartitions(partitions, exchange, DistributionOptions(), FilterTraits(), options, work);
+    RunPartitions(partitions, ofRank, DistributionOptions(), FilterTraits(), options, work);
   const Cost cost = watch.Next();
   double cells = 0.;
   for (const std::vector<Block>& blocks : partitions)

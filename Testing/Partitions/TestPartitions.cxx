@@ -79,7 +79,6 @@ std::vector<Mesh> SubdivideParts(const std::vector<Mesh>& cut, const Partition& 
   subdivision::UniformOptions& options, int ghostLayers = 0)
 {
   subdivision::DistributionOptions distribution;
-  distribution.WorksInRounds = true;
   distribution.GhostLayers = ghostLayers;
   std::vector<Mesh> outputs;
   EXPECT_TRUE(RunOnParts(
@@ -354,9 +353,9 @@ std::vector<std::string> GetWarnings(const std::vector<std::vector<Mesh>>& parti
   subdivision::RunOptions options;
   options.Warn = [&](const std::string& message) { warnings.push_back(message); };
   options.Fail = [](const std::string&) {};
-  subdivision::Exchange exchange(nullptr, static_cast<int>(partitions.size()));
-  done = RunPartitions(blocks, exchange, subdivision::DistributionOptions(),
-    subdivision::FilterTraits(), options, work);
+  subdivision::PartitionsOfRank ofRank(nullptr, static_cast<int>(partitions.size()));
+  done = RunPartitions(
+    blocks, ofRank, subdivision::DistributionOptions(), subdivision::FilterTraits(), options, work);
   return warnings;
 }
 

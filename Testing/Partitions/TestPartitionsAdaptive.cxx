@@ -210,7 +210,6 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
   const Request& request, std::vector<Mesh>& outputs, int ghostLayers = 0)
 {
   subdivision::DistributionOptions distribution;
-  distribution.WorksInRounds = true;
   distribution.IsOfSurfaces = true;
   distribution.Layers = subdivision::LayersOfAdaptiveSurface;
   distribution.GhostLayers = ghostLayers;
@@ -219,9 +218,9 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
     cut, partition, distribution, shared.Options,
     [&](vtkPointSet* input, vtkPointSet* output)
     {
-      CountingPartners partners(shared.Options.FindPartners(input), MostExchanges);
+      CountingExchange others(shared.Options.Others, MostExchanges);
       Request own = shared;
-      own.Options.FindPartners = [&partners](vtkPointSet*) { return &partners; };
+      own.Options.Others = &others;
       return Refine(input, output, choice, own);
     },
     outputs);

@@ -97,7 +97,6 @@ std::vector<Mesh> SubdivideParts(std::vector<Mesh> parts, const Partition& parti
     SurfaceOptions options = filters[f];
     subdivision::DistributionOptions distribution;
     distribution.IsOfSurfaces = true;
-    distribution.WorksInRounds = true;
     distribution.Layers = subdivision::CountLayersOfSurface(options.Scheme);
     std::vector<Mesh> outputs;
     EXPECT_TRUE(RunOnParts(
@@ -245,7 +244,6 @@ TEST(PartitionsAfresh, GiveWayToAdaptiveRefinement)
       EXPECT_TRUE(refine(Subdivide(mesh, { first }), whole));
       subdivision::DistributionOptions distribution;
       distribution.IsOfSurfaces = true;
-      distribution.WorksInRounds = true;
       distribution.Layers = subdivision::LayersOfAdaptiveSurface;
       std::vector<Mesh> outputs;
       EXPECT_TRUE(RunOnParts(SubdivideParts(Cut(mesh, partition), partition, { first }), partition,

@@ -32,7 +32,6 @@ void CheckParts(vtkPointSet* whole, const std::function<void(subdivision::Unifor
   {
     SCOPED_TRACE(partition.Name);
     subdivision::DistributionOptions distribution;
-    distribution.WorksInRounds = true;
     distribution.Layers = 3;
     subdivision::UniformOptions ofParts = options;
     std::vector<Mesh> outputs;

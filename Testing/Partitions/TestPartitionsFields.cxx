@@ -65,7 +65,6 @@ std::vector<Mesh> RunOnParts(const std::vector<Mesh>& cut, const Partition& part
   subdivision::KeptParts* kept = nullptr)
 {
   subdivision::DistributionOptions distribution;
-  distribution.WorksInRounds = true;
   distribution.KeepsOwnValues = true;
   distribution.Layers = layers + 1; // as with InterfaceValues
   distribution.IsOfSurfaces = vtkPolyData::SafeDownCast(cut[0]) != nullptr;

@@ -148,7 +148,6 @@ std::vector<Mesh> SubdivideParts(
 {
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = IsOfSurfaces<Options>;
-  distribution.WorksInRounds = true;
   std::vector<Mesh> outputs;
   EXPECT_TRUE(RunOnParts(
     parts, partition, distribution, options, [&options](vtkPointSet* input, vtkPointSet* output)
@@ -481,7 +480,6 @@ TEST(PartitionsIds, LastStepIsOfOwnCells)
   {
     UniformOptions options = MakeOptions(scheme, Choices[0], 3);
     subdivision::DistributionOptions distribution;
-    distribution.WorksInRounds = true;
     std::atomic<vtkIdType> made{ 0 };
     std::vector<Mesh> parts;
     ASSERT_TRUE(RunOnParts(

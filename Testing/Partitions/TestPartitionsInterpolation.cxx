@@ -96,7 +96,6 @@ bool SubdivideParts(const std::vector<Mesh>& cut, const Partition& partition, co
   Options options, std::vector<Mesh>& outputs, int layers = 2)
 {
   subdivision::DistributionOptions distribution;
-  distribution.WorksInRounds = true;
   distribution.IsOfSurfaces = std::is_same<Options, SurfaceOptions>::value;
   distribution.Layers = layers;
   return RunOnParts(
@@ -225,7 +224,6 @@ TEST(PartitionsInterpolation, KeepOperators)
     const Mesh whole = subdivision::MakeMesh(false);
     ASSERT_TRUE(Subdivide(mesh, whole, Choices[0], options));
     subdivision::DistributionOptions distribution;
-    distribution.WorksInRounds = true;
     distribution.Kept = &kept;
     std::vector<Mesh> outputs;
     EXPECT_TRUE(RunOnParts(
@@ -233,7 +231,7 @@ TEST(PartitionsInterpolation, KeepOperators)
       [&](vtkPointSet* input, vtkPointSet* output)
       {
         UniformOptions own = options;
-        own.Cache = &caches[options.FindPartners(input)->GetPartition()];
+        own.Cache = &caches[options.Others->GetPartition()];
         return Subdivide(input, output, Choices[0], own);
       },
       outputs));
@@ -316,14 +314,13 @@ TEST(PartitionsInterpolation, FailTogether)
     UniformOptions options;
     InterpolateAll(options);
     subdivision::DistributionOptions distribution;
-    distribution.WorksInRounds = true;
     std::vector<Mesh> outputs;
     EXPECT_FALSE(RunOnParts(
       Cut(mesh, Partitions[2]), Partitions[2], distribution, options,
       [&](vtkPointSet* input, vtkPointSet* output)
       {
         UniformOptions own = options;
-        if (options.FindPartners(input)->GetPartition() == 1)
+        if (options.Others->GetPartition() == 1)
         {
           if (atOnce)
           {

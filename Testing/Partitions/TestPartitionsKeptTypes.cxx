@@ -91,7 +91,6 @@ TEST(PartitionsKeptTypes, GiveTheWhole)
         SCOPED_TRACE(std::string(partition.Name) + ", levels " + std::to_string(levels) +
           ", mesh of " + std::to_string(mesh->GetNumberOfCells()) + " cells");
         subdivision::DistributionOptions distribution;
-        distribution.WorksInRounds = true;
         std::vector<Mesh> parts;
         ASSERT_TRUE(RunOnParts(
           Cut(mesh, partition), partition, distribution, options,

@@ -117,7 +117,6 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
 {
   subdivision::DistributionOptions distribution;
   distribution.Kept = kept;
-  distribution.WorksInRounds = true;
   RedGreenOptions chosen = options;
   choice.Set(cut[0], chosen);
   distribution.Layers = chosen.Scheme == subdivision::StampScheme::TetOct ? 3 : 2;
@@ -126,9 +125,9 @@ bool RefineParts(const std::vector<Mesh>& cut, const Partition& partition, const
     cut, partition, distribution, shared,
     [&](vtkPointSet* input, vtkPointSet* output)
     {
-      CountingPartners partners(shared.FindPartners(input), MostExchanges);
+      CountingExchange others(shared.Others, MostExchanges);
       RedGreenOptions own = shared;
-      own.FindPartners = [&partners](vtkPointSet*) { return &partners; };
+      own.Others = &others;
       return Refine(input, output, choice, own);
     },
     outputs);

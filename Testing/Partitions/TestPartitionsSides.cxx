@@ -148,7 +148,6 @@ std::vector<Mesh> RunParts(const std::vector<Mesh>& parts, const Partition& part
 {
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = isOfSurfaces;
-  distribution.WorksInRounds = true;
   distribution.Layers = layers;
   std::vector<Mesh> outputs;
   EXPECT_TRUE(RunOnParts(parts, partition, distribution, options, work, outputs));
@@ -286,7 +285,7 @@ TEST(PartitionsSides, FollowACellThatAnotherPartReverses)
   const auto subdivide = [&](vtkPointSet* input, vtkPointSet* output)
   {
     subdivision::UniformOptions own = options;
-    subdivision::Partners* others = FindPartners(options, input);
+    subdivision::OtherPartitions* others = options.Others;
     own.Cache = others ? &caches[static_cast<size_t>(others->GetPartition())] : nullptr;
     return SubdivideUniformly(input, own, vtkUnstructuredGrid::SafeDownCast(output));
   };
@@ -294,7 +293,7 @@ TEST(PartitionsSides, FollowACellThatAnotherPartReverses)
   const std::vector<int> partOf = CutInSlabs(mesh, partition.Parts);
   const auto check = [&]
   {
-    options.FindPartners = nullptr;
+    options.Others = nullptr;
     const Mesh whole = subdivision::MakeMesh(false);
     EXPECT_TRUE(subdivide(mesh, whole));
     ExpectWhole(whole,

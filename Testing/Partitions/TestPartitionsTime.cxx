@@ -65,15 +65,15 @@ Result Distribute(const std::vector<Mesh>& cut, subdivision::KeptParts& kept)
     block.Output = subdivision::MakeMesh(false);
     blocks[i].push_back(block);
   }
-  subdivision::Exchange exchange(nullptr, static_cast<int>(cut.size()));
+  subdivision::PartitionsOfRank partitions(nullptr, static_cast<int>(cut.size()));
   subdivision::DistributionOptions distribution;
   distribution.Kept = &kept;
   subdivision::RunOptions options;
   Result result{ {}, 0 };
   options.Warn = [&](const std::string&) { ++result.Warnings; };
   options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
-  EXPECT_TRUE(
-    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, Subdivide));
+  EXPECT_TRUE(RunPartitions(
+    blocks, partitions, distribution, subdivision::FilterTraits(), options, Subdivide));
   for (const auto& own : blocks)
   {
     double bounds[6];
@@ -98,14 +98,14 @@ Sent Check(
     block.Output = subdivision::MakeMesh(false);
     blocks[i].push_back(block);
   }
-  subdivision::Exchange exchange(nullptr, Parts);
+  subdivision::PartitionsOfRank partitions(nullptr, Parts);
   subdivision::DistributionOptions distribution;
   distribution.Kept = &kept;
   subdivision::RunOptions options;
   options.Warn = [](const std::string& message) { ADD_FAILURE() << message; };
   options.Fail = options.Warn;
-  EXPECT_TRUE(
-    RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, Subdivide));
+  EXPECT_TRUE(RunPartitions(
+    blocks, partitions, distribution, subdivision::FilterTraits(), options, Subdivide));
   std::vector<Mesh> outputs;
   for (const auto& own : blocks)
   {
@@ -117,7 +117,7 @@ Sent Check(
     EXPECT_TRUE(Subdivide(whole, expected));
     ExpectWhole(expected, outputs);
   }
-  return { exchange.GetNumberOfMessages(), exchange.GetNumberOfBytes() };
+  return { partitions.GetNumberOfMessages(), partitions.GetNumberOfBytes() };
 }
 
 Mesh MakeMesh()

@@ -51,7 +51,6 @@ void CheckPartitions(const Mesh& mesh, bool specialOnly = false)
   {
     SCOPED_TRACE(partition.Name);
     subdivision::DistributionOptions distribution;
-    distribution.WorksInRounds = true;
     subdivision::ProbeOptions own = options;
     std::vector<Mesh> outputs;
     EXPECT_TRUE(RunOnParts(

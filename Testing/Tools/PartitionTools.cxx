@@ -312,20 +312,22 @@ bool RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
     const size_t part = i / static_cast<size_t>(partition.Blocks);
     blocks[static_cast<size_t>(partition.Empty) + part].push_back({ cut[i], outputs.back(), 0 });
   }
-  subdivision::Exchange exchange(nullptr, parts);
-  return RunPartitions(blocks, exchange, distribution, subdivision::FilterTraits(), options, work);
+  subdivision::PartitionsOfRank partitions(nullptr, parts);
+  return RunPartitions(
+    blocks, partitions, distribution, subdivision::FilterTraits(), options, work);
 }
 
 Mesh Renumber(const std::vector<Mesh>& cut)
 {
-  std::vector<std::vector<subdivision::MeshPart>> parts(1);
+  std::vector<subdivision::MeshPart> parts;
   for (const Mesh& mesh : cut)
   {
-    parts[0].push_back({ mesh, 0, {}, {} });
+    parts.push_back({ mesh, 0, {}, {} });
   }
-  subdivision::Exchange exchange;
+  subdivision::PartitionsOfRank alone;
+  subdivision::ExchangeOfAll exchange(alone);
   IdentifyPoints(parts, exchange, [](const std::string& message) { ADD_FAILURE() << message; });
-  const Mesh whole = Join(parts[0]).Mesh;
+  const Mesh whole = Join(parts).Mesh;
   whole->GetCellData()->RemoveArray(subdivision::BlockName);
   return whole;
 }

@@ -9,7 +9,7 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "Private/Distribution/Distribution.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include "vtkPointSet.h"
 
@@ -71,8 +71,7 @@ inline const Partition CommonPartitions[] = { { "halves", 2, 1, false },
 
 std::vector<Mesh> Cut(vtkPointSet* whole, const Partition& partition);
 
-/// What a filter makes of the parts of a mesh, each part in turn or, if it works in rounds, all at
-/// once. Returns whether it is done.
+/// What a filter makes of the parts of a mesh. Returns whether it is done.
 bool RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
   const subdivision::DistributionOptions& distribution, subdivision::RunOptions& options,
   const subdivision::FilterWork& work, std::vector<Mesh>& outputs);
@@ -82,10 +81,10 @@ bool RunOnParts(const std::vector<Mesh>& cut, const Partition& partition,
 Mesh Renumber(const std::vector<Mesh>& cut);
 
 /// Counts the exchanges of a round, which begins with a sum of marks and ends with one of cells.
-class CountingPartners : public subdivision::Partners
+class CountingExchange : public subdivision::OtherPartitions
 {
 public:
-  CountingPartners(Partners* of, std::atomic<int>& most)
+  CountingExchange(OtherPartitions* of, std::atomic<int>& most)
     : Of(of)
     , Most(most)
   {
@@ -117,7 +116,7 @@ public:
   }
 
 private:
-  Partners* Of;
+  OtherPartitions* Of;
   std::atomic<int>& Most;
   int Sent = 0;
   bool IsInRound = false;

@@ -47,7 +47,7 @@ class AdaptiveRun
 {
 public:
   AdaptiveRun(vtkPolyData* input, const SurfaceOptions& options, const RefinementOptions& criteria,
-    const SurfaceCells& cells, Partners* others, vtkPolyData* output)
+    const SurfaceCells& cells, OtherPartitions* others, vtkPolyData* output)
     : Input(input)
     , Options(options)
     , Wanted(criteria)
@@ -84,7 +84,7 @@ private:
   const SurfaceOptions& Options;
   const RefinementOptions& Wanted;
   const SurfaceCells& Cells;
-  Partners* Others; ///< null: the input is the whole surface
+  OtherPartitions* Others; ///< null: the input is the whole surface
   vtkPolyData* Output;
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
   SimplicesOfCells NoCentres;
@@ -428,7 +428,7 @@ double FindMostCells(vtkPolyData* input, const SurfaceCells& cells, const Surfac
 bool RefineSurface(vtkPolyData* input, const SurfaceOptions& options,
   const RefinementOptions& criteria, vtkPolyData* output)
 {
-  Partners* others = FindPartners(options, input);
+  OtherPartitions* others = options.Others;
   RefinementOptions own = criteria;
   if (others)
   {

@@ -115,7 +115,7 @@ private:
 /// segments.
 template <typename Id>
 void NumberAdded(const AdaptiveSqrtThree<Id>& mesh, const Paths<Id>& paths,
-  const std::vector<char>& own, Partners& partners, WholeIds& points)
+  const std::vector<char>& own, OtherPartitions& others, WholeIds& points)
 {
   std::vector<std::array<Collection, 2>> levels;
   const auto atLevel = [&levels](int level) -> std::array<Collection, 2>&
@@ -136,7 +136,7 @@ void NumberAdded(const AdaptiveSqrtThree<Id>& mesh, const Paths<Id>& paths,
     paths.AddThirds(
       -1 - source, v, v == segment.Thirds ? 0 : 1, own[v], atLevel(segment.Level + 1)[1]);
   }
-  const Ids all = partners.Gather(static_cast<vtkIdType>(levels.size()));
+  const Ids all = others.Gather(static_cast<vtkIdType>(levels.size()));
   levels.resize(static_cast<size_t>(*std::max_element(all.begin(), all.end())));
   for (auto& level : levels)
   {
@@ -144,7 +144,7 @@ void NumberAdded(const AdaptiveSqrtThree<Id>& mesh, const Paths<Id>& paths,
     level[1].Keys.Width = paths.WidthOfSegment;
     for (const Collection& vertices : level)
     {
-      points.Add(vertices.Keys, partners, vertices.Places);
+      points.Add(vertices.Keys, others, vertices.Places);
     }
   }
 }
@@ -154,12 +154,12 @@ void NumberAdded(const AdaptiveSqrtThree<Id>& mesh, const Paths<Id>& paths,
 template <typename Id>
 WholeNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceLevel<Id>& control, const AdaptiveSqrtThree<Id>& mesh,
-  const AdaptiveSqrtThreeOutput<Id>& plan, Partners& partners, vtkPolyData* output)
+  const AdaptiveSqrtThreeOutput<Id>& plan, OtherPartitions& others, vtkPolyData* output)
 {
-  const Ids places = PlaceCells(input, partners);
-  const SharedKeys faces = MakeKeysOfPieces(cells.FaceCells, places, partners);
-  const SharedKeys lines = MakeKeysOfPieces(cells.SegmentCells, places, partners);
-  const SharedNumbers given = NumberTogether(MakeVertexKeys(input, partners), partners);
+  const Ids places = PlaceCells(input, others);
+  const SharedKeys faces = MakeKeysOfPieces(cells.FaceCells, places, others);
+  const SharedKeys lines = MakeKeysOfPieces(cells.SegmentCells, places, others);
+  const SharedNumbers given = NumberTogether(MakeVertexKeys(input, others), others);
   const SharedKeys edges = MakeEdgeKeys(control, faces, lines, given);
 
   auto* originals =
@@ -170,18 +170,17 @@ WholeNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells
   numbers.Points = { given.First, given.Totals[0] };
   numbers.Points.Ids.resize(static_cast<size_t>(mesh.GetNumberOfVertices()), -1);
   const Paths<Id> paths(mesh, control, faces, edges);
-  NumberAdded(mesh, paths, FindOwnPoints(output, sources, partners), partners, numbers.Points);
+  NumberAdded(mesh, paths, FindOwnPoints(output, sources, others), others, numbers.Points);
   const Buffer<Id> triangles = plan.FindFaces();
   const auto firstTriangle = static_cast<vtkIdType>(sources.size()) - triangles.size();
-  numbers.Cells =
-    NumberCells(places, { sources.begin(), sources.begin() + firstTriangle }, partners);
+  numbers.Cells = NumberCells(places, { sources.begin(), sources.begin() + firstTriangle }, others);
   Collection ofTriangles;
   ofTriangles.Keys.Width = paths.WidthOfFace;
   for (const vtkIdType i : InTurn(triangles.size()))
   {
-    paths.Add(triangles[i], i, partners.IsOwn(sources[firstTriangle + i]), ofTriangles);
+    paths.Add(triangles[i], i, others.IsOwn(sources[firstTriangle + i]), ofTriangles);
   }
-  numbers.Cells.Add(ofTriangles.Keys, partners);
+  numbers.Cells.Add(ofTriangles.Keys, others);
   return numbers;
 }
 

@@ -8,14 +8,14 @@
 #define SubdivisionObjects_AdaptiveSurfaceNumbers_h
 
 #include "Core/Surfaces/SqrtThree/AdaptiveSqrtThreeOutput.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Surface/SurfaceNumbers.h"
 
 namespace subdivision
 {
 
 /**
- * `cells` are the cells of `input`, the mesh that `partners` know, and `control` is the level of
+ * `cells` are the cells of `input`, the mesh that `others` know, and `control` is the level of
  * them from which `mesh` was made; `output` has its cells, with original ids. All partitions call
  * this together.
  *
@@ -27,7 +27,7 @@ namespace subdivision
 template <typename Id>
 WholeNumbers NumberAdaptiveSurface(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceLevel<Id>& control, const AdaptiveSqrtThree<Id>& mesh,
-  const AdaptiveSqrtThreeOutput<Id>& plan, Partners& partners, vtkPolyData* output);
+  const AdaptiveSqrtThreeOutput<Id>& plan, OtherPartitions& others, vtkPolyData* output);
 
 }
 

@@ -6,17 +6,16 @@
 #include "Core/Memory/Sorting.h"
 
 #include <algorithm>
-#include <map>
 
 namespace subdivision
 {
 
 template <typename Id>
 SharedFaces<Id>::SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& control,
-  AdaptiveSqrtThree<Id>& mesh, Partners& partners)
+  AdaptiveSqrtThree<Id>& mesh, OtherPartitions& others)
   : Cells(cells)
   , Mesh(mesh)
-  , Others(partners)
+  , Others(others)
   , OwnLines(mesh.GetNumberOfSegments(), 0)
   , Carriers(mesh)
 {
@@ -25,17 +24,17 @@ SharedFaces<Id>::SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& 
     const vtkIdType cell = cells.FaceCells[f];
     const bool isFirst = f == 0 || cell != cells.FaceCells[f - 1];
     this->FirstOfCell.push_back(isFirst ? static_cast<Id>(f) : this->FirstOfCell.back());
-    this->FirstFaces.emplace(partners.GetCellIds()[cell], this->FirstOfCell.back());
-    this->Scope.Faces.push_back(partners.IsOwn(cell) ? 1 : 0);
+    this->FirstFaces.emplace(others.GetCellIds()[cell], this->FirstOfCell.back());
+    this->Scope.Faces.push_back(others.IsOwn(cell) ? 1 : 0);
     this->OwnGiven += this->Scope.Faces.back();
   }
   for (const vtkIdType cell : InTurn(cells.VertexCells))
   {
-    this->OwnGiven += partners.IsOwn(cell) ? 1 : 0;
+    this->OwnGiven += others.IsOwn(cell) ? 1 : 0;
   }
   for (const vtkIdType line : InTurn(control.Lines.size()))
   {
-    const int own = partners.IsOwn(cells.SegmentCells[line]) ? 1 : 0;
+    const int own = others.IsOwn(cells.SegmentCells[line]) ? 1 : 0;
     this->OwnLines[mesh.GetSegmentOfEdge(control.Lines[line] / 2)] += own;
     this->OwnGiven += own;
   }
@@ -120,10 +119,10 @@ typename SharedFaces<Id>::Path SharedFaces<Id>::FindPath(Id face) const
 
 /// The splits that no other partition was told of, for the partitions with copies of the faces.
 template <typename Id>
-Partners::Messages SharedFaces<Id>::TakeNew()
+typename SharedFaces<Id>::Paths SharedFaces<Id>::TakeNew()
 {
   this->Carriers.Continue();
-  std::map<int, std::vector<Path>> paths;
+  Paths paths;
   std::vector<int> to;
   for (; this->Known < this->Mesh.GetNumberOfSplits(); ++this->Known)
   {
@@ -145,15 +144,15 @@ Partners::Messages SharedFaces<Id>::TakeNew()
       paths[partition].push_back(this->FindPath(face));
     }
   }
-  return PackAll(paths);
+  return paths;
 }
 
 template <typename Id>
-bool SharedFaces<Id>::Receive(const Partners::Messages& messages, vtkIdType mostCells)
+bool SharedFaces<Id>::Receive(const Paths& paths, vtkIdType mostCells)
 {
-  for (const auto& [from, message] : messages)
+  for (const auto& [from, list] : paths)
   {
-    for (const Path& path : Unpack<Path>(message))
+    for (const Path& path : list)
     {
       if (!this->SplitAt(path, mostCells))
       {
@@ -202,12 +201,12 @@ bool SharedFaces<Id>::Split(
   }
   for (;;)
   {
-    Partners::Messages messages = this->TakeNew();
-    if (!this->Others.Send(messages))
+    Paths paths = this->TakeNew();
+    if (!this->Others.SendLists(paths))
     {
       return fits;
     }
-    fits = fits && this->Receive(messages, mostCells);
+    fits = fits && this->Receive(paths, mostCells);
   }
 }
 

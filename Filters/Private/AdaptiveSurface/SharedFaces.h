@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedFaces_h
 
 #include "Private/AdaptiveSurface/AdaptiveSurfaceMarks.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Surface/SurfaceCells.h"
 
 #include <array>
@@ -38,7 +38,7 @@ class SharedFaces
 {
 public:
   SharedFaces(const SurfaceCells& cells, const SurfaceLevel<Id>& control,
-    AdaptiveSqrtThree<Id>& mesh, Partners& partners);
+    AdaptiveSqrtThree<Id>& mesh, OtherPartitions& others);
 
   const AdaptiveScope& GetScope() const { return this->Scope; }
 
@@ -66,13 +66,14 @@ private:
   bool IsOwn(Id controlFace) const { return this->Scope.Faces[controlFace] != 0; }
   void AddHolders(Id face, std::vector<int>& partitions) const;
   Path FindPath(Id face) const;
-  Partners::Messages TakeNew();
-  bool Receive(const Partners::Messages& messages, vtkIdType mostCells);
+  using Paths = Exchange::Lists<Path>; ///< of split faces
+  Paths TakeNew();
+  bool Receive(const Paths& paths, vtkIdType mostCells);
   bool SplitAt(const Path& path, vtkIdType mostCells);
 
   const SurfaceCells& Cells;
   AdaptiveSqrtThree<Id>& Mesh;
-  Partners& Others;
+  OtherPartitions& Others;
   AdaptiveScope Scope;
   vtkIdType OwnGiven = 0;                       ///< cells of the input
   std::vector<int> OwnLines;                    ///< on each control segment

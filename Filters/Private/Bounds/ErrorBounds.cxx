@@ -8,7 +8,7 @@
 #include "Private/Bounds/StepFactors.h"
 #include "Private/Bounds/ThirdsReader.h"
 #include "Private/Bounds/TightenBounds.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Run/SizeChecks.h"
 
@@ -122,7 +122,7 @@ private:
   RunOptions GetAlone() const
   {
     RunOptions alone = this->Quiet;
-    alone.FindPartners = nullptr;
+    alone.Others = nullptr;
     alone.Interpolation = InterpolationOptions();
     return alone;
   }
@@ -153,7 +153,7 @@ private:
   const BoundedRun& Given;
   const RunOptions& Options;
   RunOptions Quiet;
-  Partners* Others = nullptr; ///< null: the mesh is the whole
+  OtherPartitions* Others = nullptr; ///< null: the mesh is the whole
   MatrixFactors Factors;
   MatrixFactors Limits; ///< the last one is the limit after GetStepOfLimits
   bool AreLimitsFound = false;
@@ -388,7 +388,7 @@ bool BoundMaker::Refuse(Reasons reason) const
 /// Returns false after an error, or a stop.
 bool BoundMaker::Add()
 {
-  this->Others = FindPartners(this->Options, this->Given.Input);
+  this->Others = this->Options.Others;
   if (this->Others && !this->Given.KnowsParts)
   {
     return this->Refuse("This filter makes error bounds in one process only");

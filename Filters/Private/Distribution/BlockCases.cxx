@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Distribution/BlockCases.h"
 
-#include "Core/Memory/Runs.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
 #include "Private/Distribution/JoinedArrays.h"
+#include "Private/Partitions/SharedDirectory.h"
 #include "Private/Reading/CellChecks.h"
 
 #include "vtkPointData.h"
@@ -26,30 +27,8 @@ namespace subdivision
 namespace
 {
 
-using Parts = std::vector<std::vector<MeshPart>>;
+using Parts = std::vector<MeshPart>;
 using Warn = std::function<void(const std::string&)>;
-
-/// The same list to all partitions: what all of them have, ascending and each once.
-template <typename T>
-std::vector<T> ShareWithAll(const std::vector<std::vector<T>>& own, Exchange& exchange)
-{
-  std::vector<Exchange::Lists<T>> lists(own.size());
-  for (const size_t p : InTurn(own.size()))
-  {
-    for (int to = 0; to < exchange.GetNumberOfPartitions(); ++to)
-    {
-      lists[p][to] = own[p];
-    }
-  }
-  std::vector<T> all;
-  const std::vector<Exchange::Lists<T>> arrived = exchange.SendLists(lists);
-  for (const auto& [from, list] : arrived[0])
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  SortDistinct(all);
-  return all;
-}
 
 // ------------------------------------------------------------------------------------------------
 // Values
@@ -120,23 +99,24 @@ public:
       }
     }
     StableSort(points, std::less<>());
-    ForEachRun(
-      points, [](const auto& point) { return std::get<0>(point); },
-      [&](size_t begin, size_t end)
+    Turns turns;
+    for (size_t begin = 0, end = 0; begin < points.size(); begin = end, turns.Next())
+    {
+      const auto& first = points[begin];
+      bool isKnown = !isOwn;
+      for (; end < points.size() && std::get<0>(points[end]) == std::get<0>(first); ++end)
       {
-        const bool isKnown = !isOwn ||
-          std::any_of(points.begin() + begin, points.begin() + end,
-            [&](const auto& point) { return parts[std::get<2>(point)].Block != NoBlock; });
-        const auto& first = points[begin];
-        for (size_t k = begin + 1; k < end && isKnown; ++k)
+        isKnown = isKnown || parts[std::get<2>(points[end])].Block != NoBlock;
+      }
+      for (size_t k = begin + 1; k < end && isKnown; ++k)
+      {
+        if (std::get<1>(points[k]) != std::get<1>(first))
         {
-          if (std::get<1>(points[k]) != std::get<1>(first))
-          {
-            this->Compare(std::get<2>(first), std::get<3>(first), std::get<2>(points[k]),
-              std::get<3>(points[k]));
-          }
+          this->Compare(
+            std::get<2>(first), std::get<3>(first), std::get<2>(points[k]), std::get<3>(points[k]));
         }
-      });
+      }
+    }
   }
 
   std::map<std::string, Difference> OfArrays;
@@ -228,19 +208,6 @@ private:
 // ------------------------------------------------------------------------------------------------
 // Cells
 
-/// The points of a cell, as two numbers, its block, and a number for the values at its points.
-struct CellOfBlock
-{
-  std::uint64_t First;
-  std::uint64_t Second;
-  int Block;
-  int Unused;
-  std::uint64_t Values;
-
-  auto GetOrder() const { return std::tie(this->First, this->Second, this->Block); }
-  bool operator<(const CellOfBlock& other) const { return this->GetOrder() < other.GetOrder(); }
-};
-
 std::uint64_t Mix(std::uint64_t hash, std::uint64_t value)
 {
   hash = (hash ^ value) * 0x9e3779b97f4a7c15u;
@@ -300,135 +267,128 @@ std::vector<std::uint64_t> HashValues(const MeshPart& part)
   return hashes;
 }
 
-/// The cells of a dimension that have points which exist.
-std::vector<CellOfBlock> FindCellsOf(const MeshPart& part, int dimension)
+/// Adds the cells of a dimension that have points which exist: as keys two numbers for the points,
+/// and what is told of each is its block and a number for the values at its points.
+void AddCells(const MeshPart& part, int dimension, SharedKeys& cells, std::vector<vtkIdType>& told)
 {
   const std::vector<std::uint64_t> values = HashValues(part);
-  std::vector<CellOfBlock> cells;
   std::vector<vtkIdType> ids;
   ForEachCellOf(part, dimension,
     [&](int, const CellIds& cell)
     {
-      CellOfBlock found{ 0, 0, part.Index, 0, 0 };
+      std::uint64_t ofValues = 0;
       ids.clear();
       for (vtkIdType k = 0; k < cell.Size; ++k)
       {
         const bool exists = cell.Ids[k] >= 0 && cell.Ids[k] < part.Mesh->GetNumberOfPoints();
         ids.push_back(exists ? part.Points[cell.Ids[k]] : -1);
-        found.Values += exists ? Mix(values[cell.Ids[k]], static_cast<std::uint64_t>(ids[k])) : 0;
+        ofValues += exists ? Mix(values[cell.Ids[k]], static_cast<std::uint64_t>(ids[k])) : 0;
       }
-      std::sort(ids.begin(), ids.end());
-      ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+      SortDistinct(ids);
+      std::uint64_t ofPoints[2] = { 0, 0 };
       for (const vtkIdType id : ids)
       {
-        found.First = Mix(found.First, static_cast<std::uint64_t>(id));
-        found.Second = Mix(found.Second + 1, ~static_cast<std::uint64_t>(id));
+        ofPoints[0] = Mix(ofPoints[0], static_cast<std::uint64_t>(id));
+        ofPoints[1] = Mix(ofPoints[1] + 1, ~static_cast<std::uint64_t>(id));
       }
       if (!ids.empty() && ids[0] >= 0)
       {
-        cells.push_back(found);
+        cells.Keys.push_back(static_cast<vtkIdType>(ofPoints[0] >> 1));
+        cells.Keys.push_back(static_cast<vtkIdType>(ofPoints[1]));
+        cells.Own.push_back(1);
+        told.insert(told.end(), { part.Index, static_cast<vtkIdType>(ofValues) });
       }
     });
-  return cells;
 }
+
+using BlockPair = std::array<int, 2>; ///< the first one less, or the same
 
 /// Blocks with cells in common; of more than two with one cell each and the next. Of a block and
 /// itself: all of its cells.
 struct CommonCells
 {
-  int Blocks[2];
-  int Partition; ///< that has counted
-  int AreOther;  ///< whether values at the points of one of them differ
+  BlockPair Blocks;
+  int AreOther; ///< whether values at the points of one of them differ
   vtkIdType Count;
 
-  auto GetOrder() const
+  void Add(vtkIdType count, int areOther)
   {
-    return std::tie(this->Blocks[0], this->Blocks[1], this->Partition, this->Count);
+    this->Count += count;
+    this->AreOther |= areOther;
   }
-  bool operator<(const CommonCells& other) const { return this->GetOrder() < other.GetOrder(); }
-  bool operator==(const CommonCells& other) const { return this->GetOrder() == other.GetOrder(); }
 };
 
-/// Counts the cells that a directory knows.
-std::vector<CommonCells> CountCommon(const Exchange::Lists<CellOfBlock>& arrived, int partition)
+using CommonOfBlocks = std::map<BlockPair, CommonCells>;
+
+CommonCells& FindCommon(CommonOfBlocks& counts, const BlockPair& blocks)
 {
-  std::vector<CellOfBlock> all;
-  for (const auto& [from, list] : arrived)
-  {
-    all.insert(all.end(), list.begin(), list.end());
-  }
-  StableSort(all, std::less<>());
-  std::map<std::pair<int, int>, CommonCells> counts;
-  for (const size_t i : InTurn(all.size()))
-  {
-    const bool isCommon = i > 0 && all[i].First == all[i - 1].First &&
-      all[i].Second == all[i - 1].Second && all[i].Block != all[i - 1].Block;
-    const auto add = [&](int other, bool isOther)
+  return counts.try_emplace(blocks, CommonCells{ blocks, 0, 0 }).first->second;
+}
+
+/// Counts the cells that a directory knows.
+std::vector<CommonCells> CountCommon(SharedDirectory& directory)
+{
+  CommonOfBlocks counts;
+  std::vector<std::pair<int, vtkIdType>> blocks; // of one cell, and numbers for values
+  directory.ForThings(
+    [&](auto first, auto last)
     {
-      const auto at = counts.try_emplace(
-        { other, all[i].Block }, CommonCells{ { other, all[i].Block }, partition, 0, 0 });
-      ++at.first->second.Count;
-      at.first->second.AreOther |= isOther ? 1 : 0;
-    };
-    add(all[i].Block, false);
-    if (isCommon)
-    {
-      add(all[i - 1].Block, all[i].Values != all[i - 1].Values);
-    }
-  }
+      blocks.clear();
+      for (; first != last; ++first)
+      {
+        blocks.emplace_back(static_cast<int>(first->Told[0]), first->Told[1]);
+      }
+      std::stable_sort(blocks.begin(), blocks.end(),
+        [](const auto& a, const auto& b) { return a.first < b.first; });
+      for (size_t i = 0; i < blocks.size(); ++i)
+      {
+        const int own = blocks[i].first;
+        FindCommon(counts, { own, own }).Add(1, 0);
+        if (i > 0 && blocks[i - 1].first != own)
+        {
+          FindCommon(counts, { blocks[i - 1].first, own })
+            .Add(1, blocks[i].second != blocks[i - 1].second ? 1 : 0);
+        }
+      }
+    });
   std::vector<CommonCells> common;
-  for (const auto& [blocks, count] : counts)
+  for (const auto& [pair, count] : counts)
   {
     common.push_back(count);
   }
   return common;
 }
 
-/// Pairs of blocks that are cases of one mesh, the first one less.
-using BlockPairs = std::vector<std::pair<int, int>>;
-
-BlockPairs FindPairs(const Parts& parts, Exchange& exchange)
+/// Pairs of blocks that are cases of one mesh.
+std::vector<BlockPair> FindPairs(const Parts& parts, Exchange& exchange)
 {
-  vtkIdType highest = -1;
-  for (const auto& partition : parts)
+  vtkIdType highest = 0;
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : partition)
-    {
-      ForEachCellOf(part, -1,
-        [&](int dimension, const CellIds&) { highest = std::max<vtkIdType>(highest, dimension); });
-    }
+    ForEachCellOf(part, -1,
+      [&](int dimension, const CellIds&) { highest = std::max<vtkIdType>(highest, dimension); });
   }
   const auto dimension = static_cast<int>(exchange.Max(highest));
-  const auto partitions = static_cast<std::uint64_t>(exchange.GetNumberOfPartitions());
-  std::vector<Exchange::Lists<CellOfBlock>> lists(parts.size());
-  for (const size_t p : InTurn(dimension < 0 ? size_t(0) : parts.size()))
+  SharedKeys cells;
+  cells.Width = 2;
+  std::vector<vtkIdType> told;
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : parts[p])
-    {
-      for (const CellOfBlock& cell : FindCellsOf(part, dimension))
-      {
-        lists[p][static_cast<int>(cell.First % partitions)].push_back(cell);
-      }
-    }
+    AddCells(part, dimension, cells, told);
   }
-  const std::vector<Exchange::Lists<CellOfBlock>> arrived = exchange.SendLists(lists);
-  std::vector<std::vector<CommonCells>> own;
-  for (size_t p = 0; p < arrived.size(); ++p)
+  SharedDirectory directory(cells, 2, told, 0, exchange);
+  std::vector<CommonCells> all = CountCommon(directory);
+  exchange.ShareWithAll(all);
+  CommonOfBlocks sums;
+  for (const CommonCells& common : all)
   {
-    own.push_back(CountCommon(arrived[p], exchange.GetPartition(static_cast<int>(p))));
+    FindCommon(sums, common.Blocks).Add(common.Count, common.AreOther);
   }
-  std::map<std::pair<int, int>, CommonCells> sums;
-  for (const CommonCells& common : ShareWithAll(own, exchange))
-  {
-    CommonCells& sum = sums[{ common.Blocks[0], common.Blocks[1] }];
-    sum.Count += common.Count;
-    sum.AreOther |= common.AreOther;
-  }
-  BlockPairs pairs;
+  std::vector<BlockPair> pairs;
   for (const auto& [blocks, sum] : sums)
   {
     const auto [a, b] = blocks;
-    const vtkIdType fewer = std::min(sums[{ a, a }].Count, sums[{ b, b }].Count);
+    const vtkIdType fewer = std::min(sums.at({ a, a }).Count, sums.at({ b, b }).Count);
     if (a != b && (sum.AreOther || 2 * sum.Count >= fewer))
     {
       pairs.push_back(blocks);
@@ -443,20 +403,17 @@ bool AreSeveralBlocks(const Parts& parts, Exchange& exchange)
 {
   vtkIdType last = -1;
   vtkIdType first = -VTK_INT_MAX;
-  for (const auto& partition : parts)
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : partition)
-    {
-      last = std::max<vtkIdType>(last, part.Index);
-      first = std::max<vtkIdType>(first, -part.Index);
-    }
+    last = std::max<vtkIdType>(last, part.Index);
+    first = std::max<vtkIdType>(first, -part.Index);
   }
   return exchange.Max(last) > -exchange.Max(first);
 }
 
 bool FindCases(Parts& parts, Exchange& exchange, const Warn& warn)
 {
-  const BlockPairs pairs = FindPairs(parts, exchange);
+  const std::vector<BlockPair> pairs = FindPairs(parts, exchange);
   std::map<int, int> firsts; // of the blocks that pairs connect
   const std::function<int(int)> findFirst = [&](int block)
   {
@@ -479,27 +436,21 @@ bool FindCases(Parts& parts, Exchange& exchange, const Warn& warn)
   {
     cases[block] = counts[findFirst(block)]++;
   }
-  std::string differences;
+  const std::string differences =
+    pairs.empty() ? std::string() : BlockValues(parts, false).Describe();
   vtkIdType areSeveral = pairs.empty() ? 0 : 1;
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    if (!pairs.empty())
-    {
-      differences = BlockValues(partition, false).Describe();
-    }
-    for (MeshPart& part : partition)
-    {
-      bool hasCells = false;
-      ForEachCellOf(part, -1, [&](int, const CellIds&) { hasCells = true; });
-      part.Case = hasCells ? cases[part.Index] : -1 - part.Index;
-      areSeveral = part.Case != 0 ? 1 : areSeveral;
-      part.Variants.clear();
-    }
+    bool hasCells = false;
+    ForEachCellOf(part, -1, [&](int, const CellIds&) { hasCells = true; });
+    part.Case = hasCells ? cases[part.Index] : -1 - part.Index;
+    areSeveral = part.Case != 0 ? 1 : areSeveral;
+    part.Variants.clear();
   }
-  if (!pairs.empty() && exchange.GetPartition(0) == 0)
+  if (!pairs.empty() && exchange.GetPartition() == 0)
   {
-    warn("Blocks have cells in common (the first are blocks " + std::to_string(pairs[0].first) +
-      " and " + std::to_string(pairs[0].second) +
+    warn("Blocks have cells in common (the first are blocks " + std::to_string(pairs[0][0]) +
+      " and " + std::to_string(pairs[0][1]) +
       "): they are taken for cases or time steps of one mesh, and not for neighbours. Each has its "
       "own points and values" +
       (differences.empty() ? "" : ", which differ " + differences) +
@@ -511,29 +462,23 @@ bool FindCases(Parts& parts, Exchange& exchange, const Warn& warn)
 
 bool FindOwnBlocks(Parts& parts, Exchange& exchange, const Warn& warn)
 {
-  std::vector<std::vector<int>> own;
-  for (const auto& partition : parts)
+  const BlockValues values(parts, true);
+  if (warn && values.NumberOfPoints > 0) // where values jump anyway that is no news
   {
-    const BlockValues values(partition, true);
-    own.emplace_back(values.Blocks.begin(), values.Blocks.end());
-    if (warn && values.NumberOfPoints > 0) // where values jump anyway that is no news
-    {
-      warn("Blocks have different values at " + std::to_string(values.NumberOfPoints) +
-        " points that they share: they differ " + values.Describe() +
-        ". Each block keeps its own, so that values jump between them. If they should not, compute "
-        "them for all blocks together.");
-    }
+    warn("Blocks have different values at " + std::to_string(values.NumberOfPoints) +
+      " points that they share: they differ " + values.Describe() +
+      ". Each block keeps its own, so that values jump between them. If they should not, compute "
+      "them for all blocks together.");
   }
-  const std::vector<int> blocks = ShareWithAll(own, exchange);
-  for (auto& partition : parts)
+  std::vector<int> blocks(values.Blocks.begin(), values.Blocks.end());
+  exchange.ShareWithAll(blocks);
+  SortDistinct(blocks);
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : partition)
-    {
-      const auto has = [&](int kind)
-      { return std::binary_search(blocks.begin(), blocks.end(), 2 * part.Index + kind); };
-      part.KeepsOwnFloats = has(1);
-      part.KeepsOwn = part.KeepsOwnFloats || has(0);
-    }
+    const auto has = [&](int kind)
+    { return std::binary_search(blocks.begin(), blocks.end(), 2 * part.Index + kind); };
+    part.KeepsOwnFloats = has(1);
+    part.KeepsOwn = part.KeepsOwnFloats || has(0);
   }
   return std::any_of(blocks.begin(), blocks.end(), [](int block) { return block % 2 != 0; });
 }

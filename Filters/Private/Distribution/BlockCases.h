@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_BlockCases_h
 #define SubdivisionObjects_BlockCases_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <functional>
 #include <string>
@@ -24,11 +24,11 @@ namespace subdivision
  * own. Points have numbers (MeshPart::Points). Returns whether there are several cases; `warn` then
  * gets a message. Linear in the number of blocks and cells, up to sorting; two exchanges.
  */
-bool FindCases(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+bool FindCases(std::vector<MeshPart>& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn);
 
 /// Whether the parts are of several blocks.
-bool AreSeveralBlocks(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
+bool AreSeveralBlocks(const std::vector<MeshPart>& parts, Exchange& exchange);
 
 /**
  * Sets MeshPart::KeepsOwn and KeepsOwnFloats of all parts of those blocks that have other values
@@ -37,7 +37,7 @@ bool AreSeveralBlocks(const std::vector<std::vector<MeshPart>>& parts, Exchange&
  * 1e-12, or in single precision 2.5e-7 of them; one that is none is like another. Returns whether
  * floating point numbers of some blocks differ.
  */
-bool FindOwnBlocks(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+bool FindOwnBlocks(std::vector<MeshPart>& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn);
 
 }

@@ -373,15 +373,6 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
 
 }
 
-vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces)
-{
-  if (isOfSurfaces)
-  {
-    return vtkSmartPointer<vtkPolyData>::New();
-  }
-  return vtkSmartPointer<vtkUnstructuredGrid>::New();
-}
-
 std::vector<Block> GetBlocks(
   vtkDataObject* input, bool isOfSurfaces, const std::function<void(const std::string&)>& warn)
 {

@@ -28,9 +28,6 @@ struct Block
   unsigned int CompositeIndex = 0;
 };
 
-/// An empty vtkPolyData or vtkUnstructuredGrid.
-vtkSmartPointer<vtkPointSet> MakeMesh(bool isOfSurfaces);
-
 /// The blocks of a data object that have points; null: none. `isOfSurfaces`: vtkPolyData only, else
 /// vtkUnstructuredGrid too; `warn` is told of other blocks.
 std::vector<Block> GetBlocks(

@@ -3,7 +3,6 @@
 
 #include "Private/Distribution/BlockCases.h"
 #include "Private/Distribution/KeptParts.h"
-#include "Private/Distribution/Meeting.h"
 #include "Private/Distribution/OwnValues.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
@@ -26,10 +25,7 @@
 #include "vtkUniformGridAMR.h"
 
 #include <algorithm>
-#include <map>
-#include <memory>
-#include <mutex>
-#include <thread>
+#include <deque>
 #include <utility>
 
 namespace subdivision
@@ -51,236 +47,194 @@ std::vector<MeshPart> GetParts(const std::vector<Block>& blocks)
   return parts;
 }
 
-/// The partitions of this rank and what their work has to do with the others.
-class Rounds
+/// One of the partitions of this rank.
+class PartitionRun
 {
 public:
-  Rounds(Exchange& exchange, const std::vector<SentLayers>& sent)
-    : With(exchange)
-    , Sent(sent)
+  PartitionRun(PartitionsOfRank& partitions, int i, std::vector<Block>& blocks, KeptPartition& kept,
+    const DistributionOptions& distribution, RunOptions& options)
+    : Blocks(blocks)
+    , Kept(kept)
+    , Distribution(distribution)
+    , Options(options)
+    , All(partitions, i)
+    , Others(partitions, i)
+    , IsPartial(partitions.GetNumberOfPartitions() > 1)
   {
   }
 
-  void Start(int partition, const JoinedMesh& joined)
+  /// What the work in this turn of the partition has to know.
+  void BeginTurn() { this->Options.Others = this->Others.HasStarted() ? &this->Others : nullptr; }
+
+  /// Finds out which points are one, brings the layers, and does the work. Returns whether all is
+  /// done, in all partitions.
+  bool Run(const FilterTraits& traits, const FilterWork& work)
   {
-    auto partners = this->With.MakePartners(partition, joined, this->Sent[partition].OfFirst);
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->OfMesh[joined.Mesh] = std::move(partners);
-  }
-  Partners* Find(vtkPointSet* mesh)
-  {
-    const std::lock_guard<std::mutex> lock(this->Mutex);
-    const auto found = this->OfMesh.find(mesh);
-    return found == this->OfMesh.end() ? nullptr : found->second.get();
-  }
-  /// Runs the work on a partition, or answers for it; returns whether all partitions are done.
-  bool Run(int partition, bool hasMesh, const std::function<bool()>& work)
-  {
+    this->Parts = GetParts(this->Blocks);
+    const std::string tooLarge = CheckMemoryForJoining(this->Parts);
+    if (!tooLarge.empty())
+    {
+      this->Options.Fail(tooLarge);
+    }
+    if (!this->All.Agree(tooLarge.empty()))
+    {
+      return false;
+    }
+    this->PointType = FindPointType(this->Parts, this->All);
+    this->AreStamped = this->PrepareParts();
+    if (this->Distribution.HasCases)
+    {
+      *this->Distribution.HasCases = std::any_of(this->Parts.begin(), this->Parts.end(),
+        [](const MeshPart& part) { return part.Case != 0; });
+    }
+    this->HaveOwn = AreSeveralBlocks(this->Parts, this->All) &&
+      FindOwnBlocks(this->Parts, this->All,
+        this->Distribution.KeepsOwnValues ? RunOptions().Warn : this->Options.Warn) &&
+      this->Distribution.ReadsOwnBlocks;
+    const auto workOnParts = [&]
+    {
+      return this->Parts.empty() ||
+        DoWork(traits, this->Options, [&] { return this->WorkOnParts(work); });
+    };
     try
     {
-      return hasMesh ? this->With.End(partition, work()) : this->With.Answer(partition);
+      return !this->IsPartial  ? workOnParts()
+        : this->Blocks.empty() ? this->Others.Answer()
+                               : this->Others.End(workOnParts());
     }
-    catch (const PartnersStopped&)
+    catch (const PartitionStopped&)
     {
       return false;
     }
   }
 
 private:
-  Meeting With;
-  const std::vector<SentLayers>& Sent;
-  std::mutex Mutex;
-  std::map<vtkPointSet*, std::unique_ptr<Partners>> OfMesh;
-};
+  /// Returns whether an earlier filter made the parts, so that this one may go on.
+  bool PrepareParts();
+  /// Runs the filter on the joined parts, and fills the outputs of the blocks.
+  bool WorkOnParts(const FilterWork& work);
 
-/// What the work on one partition needs.
-struct PartitionWork
-{
-  std::vector<MeshPart> Parts;
-  bool IsPartial;  ///< there are other partitions
-  bool AreStamped; ///< an earlier filter made them, and this one may go on
-  bool HaveOwn;    ///< values of blocks differ, and the work reads OwnBlockName
   std::vector<Block>& Blocks;
-  int PointType;
+  KeptPartition& Kept;
   const DistributionOptions& Distribution;
-  const FilterTraits& Traits;
   RunOptions& Options;
-  const FilterWork& Work;
+  ExchangeOfAll All;
+  ExchangeOfWork Others;
+  std::vector<MeshPart> Parts;
+  int PointType = 0;
+  bool IsPartial;          ///< there are other partitions
+  bool AreStamped = false; ///< an earlier filter made the parts, and this one may go on
+  bool HaveOwn = false;    ///< values of blocks differ, and the work reads OwnBlockName
 };
 
-/// Runs the filter on the joined parts of a partition, and fills the outputs of its blocks;
-/// `rounds`: null if the work does not need the others.
-bool RunPartition(PartitionWork run, Rounds* rounds, int partition)
+bool PartitionRun::PrepareParts()
 {
-  return DoWork(run.Traits, run.Options,
-    [&]
-    {
-      const bool keepsOwn = run.Distribution.KeepsOwnValues;
-      JoinedMesh joined = Join(run.Parts, run.PointType, keepsOwn || run.HaveOwn);
-      AddPointBlocks(run.Parts, joined);
-      if (!RestoreStamp(run.Parts, run.AreStamped, run.IsPartial, joined))
-      {
-        run.Options.Warn(
-          "Earlier filters made the blocks or partitions of the input, but not all of "
-          "them in one run, or something is missing. This filter takes them as any other mesh: "
-          "results are not those of one filter with all levels. Use one filter with "
-          "more levels, or switch JoinBlocks off, and each block goes on by itself.");
-      }
-      if (keepsOwn || run.HaveOwn)
-      {
-        KeepOwnValues(run.Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
-      }
-      if (run.Distribution.Change)
-      {
-        joined.Mesh = run.Distribution.Change(joined.Mesh);
-      }
-      run.Parts.clear();
-      if (rounds)
-      {
-        rounds->Start(partition, joined);
-      }
-      const auto whole = MakeMesh(run.Distribution.IsOfSurfaces);
-      if (!run.Work(joined.Mesh, whole))
-      {
-        return false;
-      }
-      joined.Mesh = nullptr;
-      OutputOptions output;
-      output.OwnPrecision = run.Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
-      output.GhostLayers = run.Distribution.GhostLayers;
-      if (run.HaveOwn)
-      {
-        whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
-      }
-      // A filter that cannot number what it makes of a part says why.
-      output.GlobalIds = run.Options.GenerateGlobalIds &&
-        (!run.IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
-      TakeOutputs(joined, whole, output, run.Blocks);
-      return true;
-    });
-}
-
-/// Finds out which points are one, and brings the layers. Returns whether an earlier filter made
-/// the parts, so that this one may go on.
-bool PrepareParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
-  const DistributionOptions& distribution, KeptParts& kept, RunOptions& options)
-{
-  const bool isShared = exchange.GetNumberOfPartitions() > 1;
-  const int layers = distribution.Layers + distribution.GhostLayers;
-  if (isShared)
+  const bool keepsOwn = this->Distribution.KeepsOwnValues;
+  const int layers = this->Distribution.Layers + this->Distribution.GhostLayers;
+  if (this->IsPartial)
   {
-    const std::string uneven = CheckLoad(parts, exchange);
-    if (!uneven.empty())
+    const std::string uneven = CheckLoad(this->Parts, this->All);
+    if (!uneven.empty() && this->All.GetPartition() == 0)
     {
-      options.Warn(uneven);
+      this->Options.Warn(uneven);
     }
-    if (kept.Restore(parts, layers, distribution.KeepsOwnValues, exchange))
+    if (this->Kept.Restore(this->Parts, layers, keepsOwn, this->All))
     {
-      std::vector<std::string> warnings = kept.GetWarnings();
-      Tell(warnings, options);
-      return kept.AreStamped();
+      std::vector<std::string> warnings = this->Kept.GetWarnings();
+      Tell(warnings, this->Options);
+      return this->Kept.AreStamped();
     }
   }
   std::vector<std::string> warnings;
-  const bool areStamped = TakeStampedNumbers(parts, exchange);
+  const bool areStamped = TakeStampedNumbers(this->Parts, this->All);
   bool haveSeveralPlaces = false;
   if (!areStamped)
   {
     haveSeveralPlaces = IdentifyPoints(
-      parts, exchange, [&](const std::string& message) { warnings.push_back(message); },
-      distribution.KeepsOwnValues);
+      this->Parts, this->All, [&](const std::string& message) { warnings.push_back(message); },
+      keepsOwn);
   }
-  else if (distribution.KeepsOwnValues)
+  else if (keepsOwn)
   {
-    TakeCopiedPoints(parts);
+    TakeCopiedPoints(this->Parts);
   }
-  if (isShared)
+  if (this->IsPartial)
   {
-    std::vector<SentLayers> sent = AddLayers(parts, layers, exchange);
-    ShareArrays(parts, exchange);
-    kept.Keep(parts, std::move(sent), areStamped, haveSeveralPlaces, warnings);
+    SentLayers sent = AddLayers(this->Parts, layers, this->All);
+    ShareArrays(this->Parts, this->All);
+    this->Kept.Keep(this->Parts, std::move(sent), areStamped, haveSeveralPlaces, warnings);
   }
-  Tell(warnings, options);
+  Tell(warnings, this->Options);
   return areStamped;
 }
 
-/// Calls run(0) to run(size - 1) side by side.
-void RunTogether(size_t size, const std::function<void(size_t)>& run)
+bool PartitionRun::WorkOnParts(const FilterWork& work)
 {
-  std::vector<std::thread> threads;
-  for (size_t i = 1; i < size; ++i)
+  const bool keepsOwn = this->Distribution.KeepsOwnValues;
+  JoinedMesh joined = Join(this->Parts, this->PointType, keepsOwn || this->HaveOwn);
+  AddPointBlocks(this->Parts, joined);
+  if (!RestoreStamp(this->Parts, this->AreStamped, this->IsPartial, joined))
   {
-    threads.emplace_back(run, i);
+    this->Options.Warn(
+      "Earlier filters made the blocks or partitions of the input, but not all of them in one run, "
+      "or something is missing. This filter takes them as any other mesh: results are not those of "
+      "one filter with all levels. Use one filter with more levels, or switch JoinBlocks off, and "
+      "each block goes on by itself.");
   }
-  run(0);
-  for (std::thread& thread : threads)
+  if (keepsOwn || this->HaveOwn)
   {
-    thread.join();
+    KeepOwnValues(this->Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
   }
-}
-
-}
-
-bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchange,
-  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
-  const FilterWork& work)
-{
-  std::vector<std::vector<MeshPart>> parts;
-  for (const std::vector<Block>& blocks : partitions)
+  if (this->Distribution.Change)
   {
-    parts.push_back(GetParts(blocks));
+    joined.Mesh = this->Distribution.Change(joined.Mesh);
   }
-  const std::string tooLarge = CheckMemoryForJoining(parts);
-  if (!tooLarge.empty())
+  this->Parts.clear();
+  if (this->IsPartial)
   {
-    options.Fail(tooLarge);
+    this->Others.Start(joined, this->Kept.GetSent().OfFirst);
+    this->BeginTurn();
   }
-  if (!exchange.Agree(tooLarge.empty()))
+  const auto whole = MakeMesh(this->Distribution.IsOfSurfaces);
+  if (!work(joined.Mesh, whole))
   {
     return false;
   }
-  const int pointType = FindPointType(parts, exchange);
+  joined.Mesh = nullptr;
+  OutputOptions output;
+  output.OwnPrecision = this->Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
+  output.GhostLayers = this->Distribution.GhostLayers;
+  if (this->HaveOwn)
+  {
+    whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
+  }
+  // A filter that cannot number what it makes of a part says why.
+  output.GlobalIds = this->Options.GenerateGlobalIds &&
+    (!this->IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
+  TakeOutputs(joined, whole, output, this->Blocks);
+  return true;
+}
+
+}
+
+bool RunPartitions(std::vector<std::vector<Block>>& blocks, PartitionsOfRank& partitions,
+  const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
+  const FilterWork& work)
+{
   KeptParts own;
-  KeptParts& kept = distribution.Kept ? *distribution.Kept : own;
-  const bool areStamped = PrepareParts(parts, exchange, distribution, kept, options);
-  if (distribution.HasCases)
+  std::vector<KeptPartition>& kept = (distribution.Kept ? *distribution.Kept : own).OfPartitions;
+  kept.resize(blocks.size());
+  std::deque<PartitionRun> runs;
+  for (size_t i = 0; i < blocks.size(); ++i)
   {
-    *distribution.HasCases = std::any_of(
-      parts[0].begin(), parts[0].end(), [](const MeshPart& part) { return part.Case != 0; });
+    runs.emplace_back(partitions, static_cast<int>(i), blocks[i], kept[i], distribution, options);
   }
-  const bool haveOwn = AreSeveralBlocks(parts, exchange) &&
-    FindOwnBlocks(
-      parts, exchange, distribution.KeepsOwnValues ? RunOptions().Warn : options.Warn) &&
-    distribution.ReadsOwnBlocks;
-  const auto run = [&](size_t p, Rounds* rounds)
-  {
-    return parts[p].empty() ||
-      RunPartition({ std::move(parts[p]), exchange.GetNumberOfPartitions() > 1, areStamped, haveOwn,
-                     partitions[p], pointType, distribution, traits, options, work },
-        rounds, static_cast<int>(p));
-  };
-  const bool inRounds = distribution.WorksInRounds || exchange.GetPartitionsOfRank() == 1;
-  if (inRounds && exchange.GetNumberOfPartitions() > 1)
-  {
-    Rounds rounds(exchange, kept.GetSent());
-    options.FindPartners = [&rounds](vtkPointSet* mesh) { return rounds.Find(mesh); };
-    options.GhostLayers = distribution.GhostLayers;
-    std::vector<char> done(partitions.size(), 0);
-    RunTogether(partitions.size(),
-      [&](size_t p)
-      {
-        done[p] =
-          rounds.Run(static_cast<int>(p), !partitions[p].empty(), [&] { return run(p, &rounds); });
-      });
-    options.FindPartners = nullptr;
-    return std::find(done.begin(), done.end(), 0) == done.end();
-  }
+  options.GhostLayers = distribution.GhostLayers;
   bool done = true;
-  for (size_t p = 0; p < partitions.size() && done; ++p)
-  {
-    done = run(p, nullptr);
-  }
-  return exchange.Agree(done);
+  partitions.Run(
+    [&](int i) { done = runs[i].Run(traits, work) && done; }, [&](int i) { runs[i].BeginTurn(); });
+  options.Others = nullptr;
+  return done;
 }
 
 void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector* outputVector)
@@ -343,19 +297,20 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
   std::vector<Block> blocks;
   if (distribution.JoinBlocks)
   {
-    Exchange exchange(distribution.Controller);
+    PartitionsOfRank ofRank(distribution.Controller);
+    ExchangeOfAll exchange(ofRank);
     const MemoryShare share(CountRanksOfMachine(exchange));
     RankMessages messages(options);
     tellWarnings();
-    std::vector<std::vector<Block>> partitions(1);
+    std::vector<std::vector<Block>> ofPartitions(1);
     const auto join = [&]
     {
-      partitions[0] = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
-      PrepareBlocks(partitions[0], composite && distribution.AddBlockIndex, distribution.Prepare);
-      return RunPartitions(partitions, exchange, distribution, traits, options, work);
+      ofPartitions[0] = GetBlocks(input, distribution.IsOfSurfaces, options.Warn);
+      PrepareBlocks(ofPartitions[0], composite && distribution.AddBlockIndex, distribution.Prepare);
+      return RunPartitions(ofPartitions, ofRank, distribution, traits, options, work);
     };
     done = ranks > 1 ? join() : DoWork(traits, options, join); // other ranks wait for this one
-    blocks = std::move(partitions[0]);
+    blocks = std::move(ofPartitions[0]);
     failed = messages.Tell(exchange,
       done                  ? RunEnd::Done
         : IsAborted(filter) ? RunEnd::Stopped

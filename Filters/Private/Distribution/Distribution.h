@@ -8,7 +8,7 @@
 #define SubdivisionObjects_Distribution_h
 
 #include "Private/Distribution/Blocks.h"
-#include "Private/Distribution/Exchange.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 #include "Private/Run/FilterRun.h"
 
 #include <string>
@@ -36,9 +36,6 @@ struct DistributionOptions
   KeptParts* Kept = nullptr;
   /// How many layers of fine cells of other ranks the output gets, marked as duplicates.
   int GhostLayers = 0;
-  /// Whether the work agrees with that on other partitions (RunOptions::FindPartners). If a rank
-  /// has several, it does the work on each in a thread of its own then.
-  bool WorksInRounds = false;
   /// Whether only vtkPolyData is accepted, and made; else vtkUnstructuredGrid is accepted too, and
   /// made.
   bool IsOfSurfaces = false;
@@ -92,7 +89,7 @@ int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* outpu
 
 /// RunDistributed for partitions whose blocks are given: those of this rank, of which tests and
 /// benchmarks have several.
-bool RunPartitions(std::vector<std::vector<Block>>& partitions, Exchange& exchange,
+bool RunPartitions(std::vector<std::vector<Block>>& blocks, PartitionsOfRank& partitions,
   const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
   const FilterWork& work);
 

@@ -4,6 +4,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Distribution/Blocks.h"
 #include "Private/Distribution/MeshMessage.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 #include "Private/Distribution/PointIds.h"
 #include "Private/Distribution/Ranks.h"
 #include "Private/Reading/CellReader.h"
@@ -45,14 +46,14 @@ vtkIdType Hash(const std::vector<Block>& blocks)
 /// Whether all ranks have the same blocks.
 bool IsAlikeEverywhere(const std::vector<Block>& blocks, Exchange& ranks)
 {
-  const std::vector<vtkIdType> all = ranks.Gather({ Hash(blocks) });
+  const std::vector<vtkIdType> all = ranks.Gather(Hash(blocks));
   return std::all_of(all.begin(), all.end(), [&](vtkIdType hash) { return hash == all[0]; });
 }
 
 /// The parts of all ranks, in the order of ranks.
 std::vector<MeshPart> SendToAll(const std::vector<MeshPart>& own, Exchange& ranks)
 {
-  Exchange::Bytes message;
+  std::vector<char> message;
   for (const MeshPart& part : own)
   {
     std::vector<vtkIdType> cells;
@@ -65,17 +66,9 @@ std::vector<MeshPart> SendToAll(const std::vector<MeshPart>& own, Exchange& rank
     }
     PackCells(part, cells, message);
   }
-  std::vector<Exchange::Messages> out(1);
-  for (int rank = 0; rank < ranks.GetNumberOfPartitions(); ++rank)
-  {
-    out[0][rank] = message;
-  }
-  const std::vector<Exchange::Messages> in = ranks.Send(std::move(out));
+  ranks.ShareWithAll(message);
   std::vector<MeshPart> all;
-  for (const auto& [from, bytes] : in[0])
-  {
-    UnpackCells(bytes, all);
-  }
+  UnpackCells(message, all);
   return all;
 }
 
@@ -84,32 +77,34 @@ std::vector<MeshPart> SendToAll(const std::vector<MeshPart>& own, Exchange& rank
 vtkSmartPointer<vtkPointSet> GatherMesh(vtkDataObject* input, vtkMultiProcessController* controller,
   const std::function<void(const std::string&)>& warn)
 {
-  Exchange ranks(controller);
+  PartitionsOfRank ofRank(controller);
+  ExchangeOfAll ranks(ofRank);
   auto* single = vtkPointSet::SafeDownCast(input);
-  if (single && ranks.GetNumberOfRanks() == 1)
+  if (single && ranks.GetNumberOfPartitions() == 1)
   {
     return single;
   }
   const std::vector<Block> blocks = GetBlocks(input, false, warn);
-  const bool alike = ranks.GetNumberOfRanks() == 1 || IsAlikeEverywhere(blocks, ranks);
+  const bool alike = ranks.GetNumberOfPartitions() == 1 || IsAlikeEverywhere(blocks, ranks);
   if (alike && blocks.size() < 2)
   {
     return blocks.empty() ? nullptr : blocks[0].Input;
   }
-  std::vector<std::vector<MeshPart>> parts(1);
+  std::vector<MeshPart> parts;
   for (const Block& block : blocks)
   {
-    parts[0].push_back({ block.Input, 0, {}, {} });
+    parts.push_back({ block.Input, 0, {}, {} });
   }
-  Exchange alone;
-  Exchange& partners = alike ? alone : ranks;
-  IdentifyPoints(parts, partners, warn);
-  const int pointType = FindPointType(parts, partners);
+  PartitionsOfRank one;
+  ExchangeOfAll alone(one);
+  Exchange& exchange = alike ? alone : ranks;
+  IdentifyPoints(parts, exchange, warn);
+  const int pointType = FindPointType(parts, exchange);
   if (!alike)
   {
-    parts[0] = SendToAll(parts[0], ranks);
+    parts = SendToAll(parts, ranks);
   }
-  const vtkSmartPointer<vtkPointSet> mesh = Join(parts[0], pointType).Mesh;
+  const vtkSmartPointer<vtkPointSet> mesh = Join(parts, pointType).Mesh;
   mesh->GetCellData()->RemoveArray(BlockName);
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/JoinedArrays.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Values/PointCopies.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -170,16 +171,12 @@ public:
 
   void GiveTo(vtkPointSet* mesh)
   {
-    auto* poly = vtkPolyData::SafeDownCast(mesh);
-    if (!poly)
+    std::vector<vtkSmartPointer<vtkCellArray>> lists;
+    for (List& list : this->OfKind)
     {
-      vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(this->Types, this->OfKind[0].Take());
-      return;
+      lists.push_back(list.Take());
     }
-    poly->SetVerts(this->OfKind[0].Take());
-    poly->SetLines(this->OfKind[1].Take());
-    poly->SetPolys(this->OfKind[2].Take());
-    poly->SetStrips(this->OfKind[3].Take());
+    SetCellArrays(mesh, this->Types, lists);
   }
 
 private:
@@ -381,6 +378,15 @@ void TakeArrays(vtkDataSetAttributes* from, vtkIdType size, const std::vector<vt
 
 }
 
+vtkSmartPointer<vtkPointSet> MakeMesh(bool isPolyData)
+{
+  if (isPolyData)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+  return vtkSmartPointer<vtkUnstructuredGrid>::New();
+}
+
 JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType, bool keepsOwnFloats)
 {
   std::vector<CellReader> readers;
@@ -391,14 +397,7 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType, bool keepsOwn
     isPolyData = isPolyData && vtkPolyData::SafeDownCast(part.Mesh);
   }
   JoinedMesh joined;
-  if (isPolyData)
-  {
-    joined.Mesh = vtkSmartPointer<vtkPolyData>::New();
-  }
-  else
-  {
-    joined.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  }
+  joined.Mesh = MakeMesh(isPolyData);
   std::vector<Item> points;
   Places pointPlaces = PlacePoints(parts, points);
   std::vector<Item> cells;

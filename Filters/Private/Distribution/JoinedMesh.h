@@ -20,6 +20,9 @@ class vtkPointSet;
 namespace subdivision
 {
 
+/// An empty vtkPolyData or vtkUnstructuredGrid.
+vtkSmartPointer<vtkPointSet> MakeMesh(bool isPolyData);
+
 /// A mesh that becomes a part of a joined one.
 struct MeshPart
 {

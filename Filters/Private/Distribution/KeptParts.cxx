@@ -5,6 +5,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/GreenLeaves.h"
 #include "Private/Distribution/PlacesOfIds.h"
+#include "Private/Values/PointCopies.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -41,11 +42,6 @@ public:
       this->Key.insert(this->Key.end(), print.begin(), print.end());
     }
   }
-  void Add(vtkCellArray* cells)
-  {
-    this->Add(cells->GetOffsetsArray());
-    this->Add(cells->GetConnectivityArray());
-  }
   /// Names and types of arrays.
   void AddKinds(vtkDataSetAttributes* data)
   {
@@ -59,19 +55,16 @@ public:
   }
   void AddCells(vtkPointSet* mesh)
   {
-    if (auto* surface = vtkPolyData::SafeDownCast(mesh))
-    {
-      for (vtkCellArray* cells :
-        { surface->GetVerts(), surface->GetLines(), surface->GetPolys(), surface->GetStrips() })
-      {
-        this->Add(cells);
-      }
-    }
-    else if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
     {
       this->Add(GetCellTypes(grid));
-      this->Add(grid->GetCells());
     }
+    ForEachCellArray(mesh,
+      [this](vtkCellArray* cells, vtkIdType)
+      {
+        this->Add(cells->GetOffsetsArray());
+        this->Add(cells->GetConnectivityArray());
+      });
     this->Add(mesh->GetCellGhostArray());
   }
   /// By what points and cells are known: ids or, if there are none, coordinates, and the stamp of
@@ -95,14 +88,10 @@ private:
   std::vector<std::uint64_t>& Key;
 };
 
-bool HaveLeaves(const std::vector<std::vector<MeshPart>>& parts)
+bool HaveLeaves(const std::vector<MeshPart>& parts)
 {
   return std::any_of(parts.begin(), parts.end(),
-    [](const std::vector<MeshPart>& partition)
-    {
-      return std::any_of(partition.begin(), partition.end(),
-        [](const MeshPart& part) { return !GreenLeaves(part.Mesh).IsEmpty(); });
-    });
+    [](const MeshPart& part) { return !GreenLeaves(part.Mesh).IsEmpty(); });
 }
 
 /// The same part without what the next execution brings: an own part without its mesh, one that
@@ -134,8 +123,8 @@ MeshPart Copy(const MeshPart& kept)
 
 }
 
-bool KeptParts::Restore(
-  std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange)
+bool KeptPartition::Restore(
+  std::vector<MeshPart>& parts, int layers, bool joinsCopies, Exchange& exchange)
 {
   this->Current.clear();
   this->CurrentPlaces.clear();
@@ -144,24 +133,21 @@ bool KeptParts::Restore(
   key.Add(static_cast<std::uint64_t>(layers));
   key.Add(static_cast<std::uint64_t>(exchange.GetNumberOfPartitions()));
   key.Add(joinsCopies ? 1 : 0);
-  for (const auto& partition : parts)
+  key.Add(parts.size());
+  for (const MeshPart& part : parts)
   {
-    key.Add(partition.size());
-    for (const MeshPart& part : partition)
+    key.AddCells(part.Mesh);
+    key.AddIds(part.Mesh);
+    if (part.Mesh->GetPointData()->GetGlobalIds() && part.Mesh->GetPoints())
     {
-      key.AddCells(part.Mesh);
-      key.AddIds(part.Mesh);
-      if (part.Mesh->GetPointData()->GetGlobalIds() && part.Mesh->GetPoints())
-      {
-        places.Add(part.Mesh->GetPoints()->GetData());
-      }
-      if (joinsCopies)
-      {
-        key.Add(part.Mesh->GetPointData()->GetArray(MaterialPointIdsName));
-      }
-      key.AddKinds(part.Mesh->GetPointData());
-      key.AddKinds(part.Mesh->GetCellData());
+      places.Add(part.Mesh->GetPoints()->GetData());
     }
+    if (joinsCopies)
+    {
+      key.Add(part.Mesh->GetPointData()->GetArray(MaterialPointIdsName));
+    }
+    key.AddKinds(part.Mesh->GetPointData());
+    key.AddKinds(part.Mesh->GetCellData());
   }
   // Points of one id are one where they lie at one place: when they move, that is found out anew
   // where it was not so, and else compared with what comes.
@@ -171,23 +157,20 @@ bool KeptParts::Restore(
     this->Forget();
     return false;
   }
-  const std::vector<std::vector<MeshPart>> given = parts;
-  for (size_t p = 0; p < parts.size(); ++p)
+  const std::vector<MeshPart> given = parts;
+  for (size_t i = 0; i < this->Parts.size(); ++i)
   {
-    for (size_t i = 0; i < this->Parts[p].size(); ++i)
+    const MeshPart& kept = this->Parts[i];
+    if (i < given.size())
     {
-      const MeshPart& kept = this->Parts[p][i];
-      if (i < parts[p].size())
-      {
-        parts[p][i].Points = kept.Points;
-        parts[p][i].Cells = kept.Cells;
-        parts[p][i].Levels = kept.Levels;
-        parts[p][i].Case = kept.Case;
-      }
-      else
-      {
-        parts[p].push_back(Copy(kept));
-      }
+      parts[i].Points = kept.Points;
+      parts[i].Cells = kept.Cells;
+      parts[i].Levels = kept.Levels;
+      parts[i].Case = kept.Case;
+    }
+    else
+    {
+      parts.push_back(Copy(kept));
     }
   }
   SendValuesAgain(parts, this->Sent, exchange);
@@ -201,40 +184,36 @@ bool KeptParts::Restore(
   return true;
 }
 
-void KeptParts::Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
-  bool areStamped, bool haveSeveralPlaces, std::vector<std::string> warnings)
+void KeptPartition::Keep(const std::vector<MeshPart>& parts, SentLayers sent, bool areStamped,
+  bool haveSeveralPlaces, std::vector<std::string> warnings)
 {
   // Leaves number their points and cells anew in each part: values alone are not enough.
-  this->Known = HaveLeaves(parts) ? std::vector<std::uint64_t>() : std::move(this->Current);
+  this->Known = HaveLeaves(parts) ? Key() : std::move(this->Current);
   this->KnownPlaces = std::move(this->CurrentPlaces);
   this->HasSeveralPlaces = haveSeveralPlaces;
-  this->Parts.clear();
-  for (size_t p = 0; p < parts.size(); ++p)
+  std::vector<char> hasCome(parts.size(), 0);
+  for (const auto& [from, list] : sent.In)
   {
-    this->Parts.emplace_back();
-    std::vector<char> hasCome(parts[p].size(), 0);
-    for (const auto& [from, list] : sent[p].In)
+    for (const size_t i : list)
     {
-      for (const size_t i : list)
-      {
-        hasCome[i] = 1;
-      }
+      hasCome[i] = 1;
     }
-    for (size_t i = 0; i < parts[p].size(); ++i)
-    {
-      this->Parts.back().push_back(DropValues(parts[p][i], hasCome[i]));
-    }
+  }
+  this->Parts.clear();
+  for (size_t i = 0; i < parts.size(); ++i)
+  {
+    this->Parts.push_back(DropValues(parts[i], hasCome[i]));
   }
   this->Sent = std::move(sent);
   this->Stamped = areStamped;
   this->Warnings = std::move(warnings);
 }
 
-void KeptParts::Forget()
+void KeptPartition::Forget()
 {
   this->Known.clear();
   this->Parts.clear();
-  this->Sent.clear();
+  this->Sent = SentLayers();
   this->Warnings.clear();
 }
 

@@ -7,7 +7,6 @@
 #ifndef SubdivisionObjects_KeptParts_h
 #define SubdivisionObjects_KeptParts_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/Layers.h"
 
 #include <cstdint>
@@ -16,22 +15,22 @@
 namespace subdivision
 {
 
-class KeptParts
+/// Of one partition.
+class KeptPartition
 {
 public:
   /// If cells, ids, and which arrays there are, are the same on all ranks as they were: gives the
-  /// parts of each partition what was found out of them (IdentifyPoints, TakeStampedNumbers), adds
-  /// those that came from others (AddLayers, ShareArrays), with their values of now, and returns
-  /// true. `layers`: how many are wanted. `joinsCopies`: as in IdentifyPoints. All ranks call it.
-  bool Restore(
-    std::vector<std::vector<MeshPart>>& parts, int layers, bool joinsCopies, Exchange& exchange);
+  /// parts what was found out of them (IdentifyPoints, TakeStampedNumbers), adds those that came
+  /// from others (AddLayers, ShareArrays), with their values of now, and returns true. `layers`:
+  /// how many are wanted. `joinsCopies`: as in IdentifyPoints. All partitions call it.
+  bool Restore(std::vector<MeshPart>& parts, int layers, bool joinsCopies, Exchange& exchange);
 
   /// Keeps what was found out since Restore returned false. `haveSeveralPlaces`: of IdentifyPoints.
-  void Keep(const std::vector<std::vector<MeshPart>>& parts, std::vector<SentLayers> sent,
-    bool areStamped, bool haveSeveralPlaces, std::vector<std::string> warnings);
+  void Keep(const std::vector<MeshPart>& parts, SentLayers sent, bool areStamped,
+    bool haveSeveralPlaces, std::vector<std::string> warnings);
   void Forget();
 
-  const std::vector<SentLayers>& GetSent() const { return this->Sent; }
+  const SentLayers& GetSent() const { return this->Sent; }
   bool AreStamped() const { return this->Stamped; }
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
@@ -42,11 +41,18 @@ private:
   Key CurrentPlaces; ///< of points with global ids
   Key Known;         ///< what was kept; empty: nothing
   Key KnownPlaces;
-  std::vector<std::vector<MeshPart>> Parts; ///< without values
-  std::vector<SentLayers> Sent;
+  std::vector<MeshPart> Parts; ///< without values
+  SentLayers Sent;
   bool Stamped = false;
   bool HasSeveralPlaces = false;
   std::vector<std::string> Warnings;
+};
+
+/// Of the partitions of a rank, of which a filter has one.
+class KeptParts
+{
+public:
+  std::vector<KeptPartition> OfPartitions;
 };
 
 }

@@ -30,13 +30,19 @@ struct Wish
   }
 };
 
-/// The partition that knows who has a point.
+/// Which partition knows who has a point, and what this one knows.
 class Directory
 {
 public:
-  Directory(vtkIdType numberOfIds, int partitions)
-    : Share((numberOfIds + partitions - 1) / partitions)
+  Directory(const std::vector<MeshPart>& parts, Exchange& exchange)
   {
+    vtkIdType last = 0;
+    for (const MeshPart& part : parts)
+    {
+      last = std::accumulate(part.Points.begin(), part.Points.end(), last,
+        [](vtkIdType a, vtkIdType b) { return std::max(a, b); });
+    }
+    this->Share = exchange.Max(last) / exchange.GetNumberOfPartitions() + 1;
   }
   int Find(vtkIdType point) const { return static_cast<int>(point / this->Share); }
 
@@ -69,32 +75,24 @@ private:
   std::vector<Wish> Holders;
 };
 
-/// One partition: its own parts, and what it sent and got so far.
+/// The own parts of a partition, and what it sent and got so far.
 struct Partition
 {
-  std::vector<MeshPart>* Parts = nullptr;
-  size_t NumberOfOwn = 0;
+  std::vector<MeshPart>& Parts;
+  const size_t NumberOfOwn;
   std::vector<CellGroups> Groups; ///< of all parts
   Copies Sent;
   SentLayers Kept;
   std::vector<vtkIdType> Known; ///< points of its cells, ascending
 
   explicit Partition(std::vector<MeshPart>& parts)
-    : Parts(&parts)
+    : Parts(parts)
     , NumberOfOwn(parts.size())
   {
-    this->GroupNewParts();
   }
-  void GroupNewParts()
-  {
-    while (this->Groups.size() < this->Parts->size())
-    {
-      MeshPart& part = (*this->Parts)[this->Groups.size()];
-      part.Levels = this->Parts->front().Levels;
-      this->Groups.emplace_back();
-      FindGroups(part, this->Groups.back());
-    }
-  }
+  /// Groups the cells of parts that are new, and returns the points at the corners of their groups
+  /// that were not known, ascending.
+  std::vector<vtkIdType> FindNewPoints();
 };
 
 bool Exists(vtkIdType point, const MeshPart& part)
@@ -102,15 +100,17 @@ bool Exists(vtkIdType point, const MeshPart& part)
   return point >= 0 && point < static_cast<vtkIdType>(part.Points.size());
 }
 
-/// The ids of the points at the corners of groups, ascending. `first`: the first part.
-std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
+std::vector<vtkIdType> Partition::FindNewPoints()
 {
   std::vector<vtkIdType> ids;
-  for (size_t p = first; p < partition.Groups.size(); ++p)
+  while (this->Groups.size() < this->Parts.size())
   {
-    const MeshPart& part = (*partition.Parts)[p];
+    MeshPart& part = this->Parts[this->Groups.size()];
+    part.Levels = this->Parts.front().Levels;
+    this->Groups.emplace_back();
+    FindGroups(part, this->Groups.back());
     std::vector<char> used(part.Points.size(), 0);
-    for (const vtkIdType point : partition.Groups[p].Points)
+    for (const vtkIdType point : this->Groups.back().Points)
     {
       if (Exists(point, part))
       {
@@ -126,7 +126,14 @@ std::vector<vtkIdType> FindPointIds(const Partition& partition, size_t first)
     }
   }
   SortDistinct(ids);
-  return ids;
+  std::vector<vtkIdType> fresh;
+  std::set_difference(
+    ids.begin(), ids.end(), this->Known.begin(), this->Known.end(), std::back_inserter(fresh));
+  std::vector<vtkIdType> known;
+  std::merge(
+    fresh.begin(), fresh.end(), this->Known.begin(), this->Known.end(), std::back_inserter(known));
+  this->Known = std::move(known);
+  return fresh;
 }
 
 /// Which groups are wished: those with a wished point, or those all of whose points are.
@@ -188,7 +195,7 @@ Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Ex
   std::map<int, std::vector<std::vector<vtkIdType>>> lists; // to a partition: cells of each part
   for (const size_t p : InTurn(partition.NumberOfOwn))
   {
-    const MeshPart& part = (*partition.Parts)[p];
+    const MeshPart& part = partition.Parts[p];
     const CellGroups& groups = partition.Groups[p];
     VisitWished(groups, part, wishes, extent,
       [&](int to, vtkIdType group)
@@ -215,7 +222,7 @@ Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Ex
     {
       if (!cells[p].empty())
       {
-        std::vector<vtkIdType> points = PackCells((*partition.Parts)[p], cells[p], messages[to]);
+        std::vector<vtkIdType> points = PackCells(partition.Parts[p], cells[p], messages[to]);
         partition.Kept.Out[to].push_back({ p, std::move(points), cells[p] });
       }
     }
@@ -223,155 +230,85 @@ Exchange::Messages PackWished(Partition& partition, std::vector<Wish> wishes, Ex
   return messages;
 }
 
-vtkIdType CountIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
-{
-  vtkIdType last = 0;
-  for (const auto& partition : parts)
-  {
-    for (const MeshPart& part : partition)
-    {
-      last = std::accumulate(part.Points.begin(), part.Points.end(), last,
-        [](vtkIdType a, vtkIdType b) { return std::max(a, b); });
-    }
-  }
-  return exchange.Max(last) + 1;
 }
 
-/// How many exchanges bring the stars of points, and how many what is inside.
-std::pair<int, int> CountExchanges(
-  const std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
+SentLayers AddLayers(std::vector<MeshPart>& parts, int layers, Exchange& exchange)
 {
-  vtkIdType most = 0;
-  for (const auto& partition : parts)
+  Directory directory(parts, exchange);
+  Partition partition(parts);
+  const bool areStamped = exchange.Max(parts.empty() ? 0 : parts[0].Levels) > 0;
+  for (int layer = 0; layer < layers + (areStamped ? 1 : 0); ++layer)
   {
-    most = std::max<vtkIdType>(most, partition.empty() ? 0 : partition[0].Levels);
-  }
-  return { layers, exchange.Max(most) > 0 ? 1 : 0 };
-}
-
-}
-
-std::vector<SentLayers> AddLayers(
-  std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange)
-{
-  std::vector<Directory> directories(
-    parts.size(), Directory(CountIds(parts, exchange), exchange.GetNumberOfPartitions()));
-  std::vector<Partition> partitions;
-  for (auto& own : parts)
-  {
-    partitions.emplace_back(own);
-  }
-  size_t size = parts.size();
-  std::vector<size_t> seen(size, 0); // parts whose points are known
-  const auto [stars, inside] = CountExchanges(parts, layers, exchange);
-  for (int layer = 0; layer < stars + inside; ++layer)
-  {
-    const Extent extent = layer < stars ? Extent::Stars : Extent::Inside;
+    const Extent extent = layer < layers ? Extent::Stars : Extent::Inside;
     // To the directory: the points that are new.
-    std::vector<Exchange::Lists<vtkIdType>> questions(size);
-    for (size_t i = 0; i < size; ++i)
+    Exchange::Lists<vtkIdType> points;
+    for (const vtkIdType id : partition.FindNewPoints())
     {
-      Partition& partition = partitions[i];
-      partition.GroupNewParts();
-      const std::vector<vtkIdType> ids = FindPointIds(partition, seen[i]);
-      seen[i] = partition.Parts->size();
-      std::vector<vtkIdType> fresh;
-      std::set_difference(ids.begin(), ids.end(), partition.Known.begin(), partition.Known.end(),
-        std::back_inserter(fresh));
-      std::vector<vtkIdType> known;
-      std::merge(fresh.begin(), fresh.end(), partition.Known.begin(), partition.Known.end(),
-        std::back_inserter(known));
-      partition.Known = std::move(known);
-      for (const vtkIdType id : fresh)
+      points[directory.Find(id)].push_back(id);
+    }
+    exchange.SendLists(points);
+    if (layer == 0)
+    {
+      for (const auto& [from, list] : points)
       {
-        questions[i][directories[i].Find(id)].push_back(id);
+        directory.Add(list, from);
       }
+      directory.Sort();
     }
     // From the directory to the partitions that have cells there.
-    std::vector<Exchange::Lists<Wish>> wishes(size);
-    const std::vector<Exchange::Lists<vtkIdType>> asked = exchange.SendLists(questions);
-    for (size_t i = 0; i < size; ++i)
+    Exchange::Lists<Wish> wishes;
+    for (const auto& [from, list] : points)
     {
-      if (layer == 0)
+      for (const vtkIdType point : list)
       {
-        for (const auto& [from, points] : asked[i])
-        {
-          directories[i].Add(points, from);
-        }
-        directories[i].Sort();
-      }
-      for (const auto& [from, points] : asked[i])
-      {
-        for (const vtkIdType point : points)
-        {
-          directories[i].PassOn({ point, from }, wishes[i]);
-        }
+        directory.PassOn({ point, from }, wishes);
       }
     }
+    exchange.SendLists(wishes);
     // From these to those who asked: the cells.
-    std::vector<Exchange::Messages> cells(size);
-    const std::vector<Exchange::Lists<Wish>> wished = exchange.SendLists(wishes);
-    for (size_t i = 0; i < size; ++i)
+    std::vector<Wish> all;
+    for (const auto& [from, list] : wishes)
     {
-      std::vector<Wish> all;
-      for (const auto& [from, list] : wished[i])
-      {
-        all.insert(all.end(), list.begin(), list.end());
-      }
-      cells[i] = PackWished(partitions[i], std::move(all), extent);
-      if (layer == 0)
-      {
-        partitions[i].Kept.OfFirst = partitions[i].Sent;
-      }
+      all.insert(all.end(), list.begin(), list.end());
     }
-    const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(cells));
-    for (const size_t i : InTurn(size))
+    Exchange::Messages cells = PackWished(partition, std::move(all), extent);
+    if (layer == 0)
     {
-      for (const auto& [from, message] : arrived[i])
+      partition.Kept.OfFirst = partition.Sent;
+    }
+    exchange.Send(cells);
+    for (const auto& [from, message] : cells)
+    {
+      size_t next = parts.size();
+      UnpackCells(message, parts);
+      for (; next < parts.size(); ++next)
       {
-        const size_t first = partitions[i].Parts->size();
-        UnpackCells(message, *partitions[i].Parts);
-        for (size_t p = first; p < partitions[i].Parts->size(); ++p)
-        {
-          partitions[i].Kept.In[from].push_back(p);
-        }
+        partition.Kept.In[from].push_back(next);
       }
     }
   }
-  std::vector<SentLayers> sent;
-  for (Partition& partition : partitions)
-  {
-    sent.push_back(std::move(partition.Kept));
-  }
-  return sent;
+  return std::move(partition.Kept);
 }
 
-void SendValuesAgain(std::vector<std::vector<MeshPart>>& parts, const std::vector<SentLayers>& sent,
-  Exchange& exchange)
+void SendValuesAgain(std::vector<MeshPart>& parts, const SentLayers& sent, Exchange& exchange)
 {
-  std::vector<Exchange::Messages> out(parts.size());
-  for (size_t i = 0; i < parts.size(); ++i)
+  Exchange::Messages messages;
+  for (const auto& [to, list] : sent.Out)
   {
-    for (const auto& [to, list] : sent[i].Out)
+    for (const SentLayers::Cells& cells : list)
     {
-      for (const SentLayers::Cells& cells : list)
-      {
-        PackValues(parts[i][cells.Part], cells.Points, cells.Cells, out[i][to]);
-      }
+      PackValues(parts[cells.Part], cells.Points, cells.Cells, messages[to]);
     }
   }
-  const std::vector<Exchange::Messages> arrived = exchange.Send(std::move(out));
-  for (size_t i = 0; i < parts.size(); ++i)
+  exchange.Send(messages);
+  for (const auto& [from, message] : messages)
   {
-    for (const auto& [from, message] : arrived[i])
+    std::vector<MeshPart*> added;
+    for (const size_t p : sent.In.at(from))
     {
-      std::vector<MeshPart*> added;
-      for (const size_t p : sent[i].In.at(from))
-      {
-        added.push_back(&parts[i][p]);
-      }
-      UnpackValues(message, added);
+      added.push_back(&parts[p]);
     }
+    UnpackValues(message, added);
   }
 }
 

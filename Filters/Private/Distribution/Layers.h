@@ -6,8 +6,11 @@
 #ifndef SubdivisionObjects_Layers_h
 #define SubdivisionObjects_Layers_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
+
+#include <map>
+#include <vector>
 
 namespace subdivision
 {
@@ -31,9 +34,10 @@ struct SentLayers
 };
 
 /**
- * Adds to each partition the cells of all others that share a point with one of its cells, then
- * those that share a point with these, and so on, `layers` times, with their points and arrays. Of
- * cells of any dimension, and through third partitions. Points and cells have ids (IdentifyPoints).
+ * Adds to the parts of a partition the cells of all others that share a point with one of its
+ * cells, then those that share a point with these, and so on, `layers` times, with their points and
+ * arrays. Of cells of any dimension, and through third partitions. Points and cells have ids
+ * (IdentifyPoints). All partitions call this together.
  *
  * A directory knows which partitions have cells at a point; it is spread over the partitions by the
  * id of the point. Three exchanges for each layer. A partition sends 16 bytes for each of its
@@ -43,15 +47,13 @@ struct SentLayers
  * points that count. Then one exchange more brings the simplices that lie inside the last layer:
  * without them lines and triangles that are faces of its solids would be numbered in another order.
  *
- * Returns what each partition of this rank sent.
+ * Returns what the partition sent and got.
  */
-std::vector<SentLayers> AddLayers(
-  std::vector<std::vector<MeshPart>>& parts, int layers, Exchange& exchange);
+SentLayers AddLayers(std::vector<MeshPart>& parts, int layers, Exchange& exchange);
 
 /// Gives the parts that AddLayers added the values that their cells have now. One exchange, of
 /// coordinates and arrays.
-void SendValuesAgain(std::vector<std::vector<MeshPart>>& parts, const std::vector<SentLayers>& sent,
-  Exchange& exchange);
+void SendValuesAgain(std::vector<MeshPart>& parts, const SentLayers& sent, Exchange& exchange);
 
 }
 

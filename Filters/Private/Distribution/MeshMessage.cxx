@@ -3,6 +3,7 @@
 
 #include "Private/Arrays/Arrays.h"
 #include "Private/Distribution/StampedParts.h"
+#include "Private/Values/PointCopies.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkCellArray.h"
@@ -194,23 +195,14 @@ void GetArrays(Reader& reader, vtkFieldData* data)
 // ------------------------------------------------------------------------------------------------
 // Cells
 
-/// The vtkCellArrays of a mesh in the order of cell ids.
-std::vector<vtkCellArray*> GetCellArrays(vtkPointSet* mesh)
-{
-  if (auto* poly = vtkPolyData::SafeDownCast(mesh))
-  {
-    return { poly->GetVerts(), poly->GetLines(), poly->GetPolys(), poly->GetStrips() };
-  }
-  return { vtkUnstructuredGrid::SafeDownCast(mesh)->GetCells() };
-}
-
 void PutCells(vtkPointSet* mesh, Writer& writer)
 {
-  for (vtkCellArray* cells : GetCellArrays(mesh))
-  {
-    PutArray(cells->GetOffsetsArray(), writer);
-    PutArray(cells->GetConnectivityArray(), writer);
-  }
+  ForEachCellArray(mesh,
+    [&writer](vtkCellArray* cells, vtkIdType)
+    {
+      PutArray(cells->GetOffsetsArray(), writer);
+      PutArray(cells->GetConnectivityArray(), writer);
+    });
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
   {
     PutArray(GetCellTypes(grid), writer);
@@ -219,35 +211,17 @@ void PutCells(vtkPointSet* mesh, Writer& writer)
 
 void GetCells(Reader& reader, vtkPointSet* mesh)
 {
-  auto* poly = vtkPolyData::SafeDownCast(mesh);
-  for (int kind = 0; kind < (poly ? 4 : 1); ++kind)
+  const bool isPolyData = vtkPolyData::SafeDownCast(mesh) != nullptr;
+  std::vector<vtkSmartPointer<vtkCellArray>> lists;
+  for (int kind = 0; kind < (isPolyData ? 4 : 1); ++kind)
   {
     const auto offsets = GetArray(reader);
     const auto ids = GetArray(reader);
-    vtkNew<vtkCellArray> cells;
-    cells->SetData(vtkDataArray::SafeDownCast(offsets), vtkDataArray::SafeDownCast(ids));
-    if (!poly)
-    {
-      const auto types = GetArray(reader);
-      vtkUnstructuredGrid::SafeDownCast(mesh)->SetCells(
-        vtkUnsignedCharArray::SafeDownCast(types), cells);
-      continue;
-    }
-    switch (kind)
-    {
-      case 0:
-        poly->SetVerts(cells);
-        break;
-      case 1:
-        poly->SetLines(cells);
-        break;
-      case 2:
-        poly->SetPolys(cells);
-        break;
-      default:
-        poly->SetStrips(cells);
-    }
+    lists.push_back(vtkSmartPointer<vtkCellArray>::New());
+    lists.back()->SetData(vtkDataArray::SafeDownCast(offsets), vtkDataArray::SafeDownCast(ids));
   }
+  const auto types = isPolyData ? nullptr : GetArray(reader);
+  SetCellArrays(mesh, vtkUnsignedCharArray::SafeDownCast(types), lists);
 }
 
 std::vector<vtkIdType> Select(
@@ -261,11 +235,6 @@ std::vector<vtkIdType> Select(
   }
   return selected;
 }
-
-}
-
-namespace
-{
 
 vtkSmartPointer<vtkPoints> GetPoints(Reader& reader)
 {
@@ -290,8 +259,6 @@ void GetValues(Reader& reader, vtkPointSet* mesh)
   GetArrays(reader, mesh->GetCellData());
 }
 
-}
-
 void AddStampedLists(vtkFieldData* from, vtkFieldData* to)
 {
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
@@ -301,6 +268,8 @@ void AddStampedLists(vtkFieldData* from, vtkFieldData* to)
       to->AddArray(from->GetAbstractArray(a));
     }
   }
+}
+
 }
 
 std::vector<vtkIdType> PackCells(
@@ -325,14 +294,7 @@ void UnpackCells(const std::vector<char>& message, std::vector<MeshPart>& parts)
   for (Reader reader(message); !reader.IsAtEnd();)
   {
     MeshPart part;
-    if (reader.GetId() == 1)
-    {
-      part.Mesh = vtkSmartPointer<vtkPolyData>::New();
-    }
-    else
-    {
-      part.Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    }
+    part.Mesh = MakeMesh(reader.GetId() == 1);
     GetCells(reader, part.Mesh);
     GetValues(reader, part.Mesh);
     GetArrays(reader, part.Mesh->GetFieldData());

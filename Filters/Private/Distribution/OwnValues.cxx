@@ -118,22 +118,19 @@ void AddOwnBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 
 }
 
-void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts)
+void TakeCopiedPoints(std::vector<MeshPart>& parts)
 {
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : partition)
+    vtkPointData* data = part.Mesh->GetPointData();
+    if (HasIds(data, MaterialPointIdsName, part.Mesh->GetNumberOfPoints()))
     {
-      vtkPointData* data = part.Mesh->GetPointData();
-      if (HasIds(data, MaterialPointIdsName, part.Mesh->GetNumberOfPoints()))
+      vtkDataArray* ids = data->GetArray(MaterialPointIdsName);
+      for (std::size_t i = 0; i < part.Points.size(); ++i)
       {
-        vtkDataArray* ids = data->GetArray(MaterialPointIdsName);
-        for (std::size_t i = 0; i < part.Points.size(); ++i)
-        {
-          const vtkIdType id = ToId(ids->GetComponent(static_cast<vtkIdType>(i), 0));
-          const bool isOther = id >= 0 && id < part.Points[i];
-          part.Points[i] = isOther ? id : part.Points[i];
-        }
+        const vtkIdType id = ToId(ids->GetComponent(static_cast<vtkIdType>(i), 0));
+        const bool isOther = id >= 0 && id < part.Points[i];
+        part.Points[i] = isOther ? id : part.Points[i];
       }
     }
   }

@@ -32,7 +32,7 @@ void KeepOwnValues(
 
 /// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; the
 /// numbers are those that an earlier filter gave.
-void TakeCopiedPoints(std::vector<std::vector<MeshPart>>& parts);
+void TakeCopiedPoints(std::vector<MeshPart>& parts);
 
 }
 

@@ -2,15 +2,15 @@
 #include "Private/Distribution/PlacesOfIds.h"
 
 #include "Core/Memory/Loops.h"
-#include "Core/Memory/Runs.h"
-#include "Core/Memory/Sorting.h"
+#include "Private/Distribution/PartitionsOfRank.h"
+#include "Private/Partitions/SharedDirectory.h"
 
 #include "vtkPointSet.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <cstring>
 #include <sstream>
 #include <vector>
 
@@ -19,16 +19,19 @@ namespace subdivision
 namespace
 {
 
-using Parts = std::vector<std::vector<MeshPart>>;
-using Warn = std::function<void(const std::string&)>;
-
+/// What the directory of ids is told of a point.
 struct PlaceOfId
 {
-  vtkIdType Id;
   std::array<double, 3> At;
   double Tolerance;
-  int Block;
-  vtkIdType Variant;
+  vtkIdType Block;
+};
+constexpr int SizeOfPlace = sizeof(PlaceOfId) / sizeof(vtkIdType);
+
+struct PointOfId
+{
+  PlaceOfId Place;
+  vtkIdType* Variant;
 };
 
 bool AreNear(const PlaceOfId& a, const PlaceOfId& b)
@@ -42,28 +45,33 @@ bool AreNear(const PlaceOfId& a, const PlaceOfId& b)
   return !areFar;
 }
 
-/// Sets the variants of points of one id. Returns one that is not at the place of the first; null:
-/// all are.
-const PlaceOfId* SetVariants(PlaceOfId** begin, PlaceOfId** end)
+/// Sets the variants of points of one id: 0 for those at the place of the first. Returns one that
+/// is not there, if there is one.
+const PointOfId* SetVariants(std::vector<PointOfId>& points)
 {
-  std::vector<PlaceOfId*> others;
-  std::copy_if(begin, end, std::back_inserter(others),
-    [begin](const PlaceOfId* point) { return !AreNear(**begin, *point); });
-  std::sort(others.begin(), others.end(),
-    [](const PlaceOfId* a, const PlaceOfId* b) { return a->At < b->At; });
-  for (size_t i = 0; i < others.size(); ++i)
+  for (const PointOfId& point : points)
   {
-    others[i]->Variant =
-      i == 0 ? 1 : others[i - 1]->Variant + (others[i]->At != others[i - 1]->At ? 1 : 0);
+    *point.Variant = 0;
   }
-  return others.empty() ? nullptr : others[0];
+  const PlaceOfId first = points[0].Place;
+  const auto others = std::stable_partition(points.begin(), points.end(),
+    [&first](const PointOfId& point) { return AreNear(first, point.Place); });
+  std::sort(others, points.end(),
+    [](const PointOfId& a, const PointOfId& b) { return a.Place.At < b.Place.At; });
+  for (auto point = others; point != points.end(); ++point)
+  {
+    *point->Variant = point == others
+      ? 1
+      : *(point - 1)->Variant + ((point - 1)->Place.At != point->Place.At ? 1 : 0);
+  }
+  return others == points.end() ? nullptr : &*others;
 }
 
-std::string DescribePlaces(vtkIdType count, const PlaceOfId& a, const PlaceOfId& b)
+std::string DescribePlaces(vtkIdType count, vtkIdType id, const PlaceOfId& a, const PlaceOfId& b)
 {
   std::ostringstream text;
   text << "Points at different places have the same global id, " << count
-       << " ids in all; the first is " << a.Id;
+       << " ids in all; the first is " << id;
   for (const PlaceOfId& point : { a, b })
   {
     text << ", at (" << point.At[0] << ", " << point.At[1] << ", " << point.At[2] << ") in block "
@@ -75,111 +83,75 @@ std::string DescribePlaces(vtkIdType count, const PlaceOfId& a, const PlaceOfId&
   return text.str();
 }
 
-/// Sets the variants of the points that this directory knows. Returns whether there are some.
-bool CompareIds(Exchange::Lists<PlaceOfId>& asked, const Warn& warn)
+}
+
+bool FindPlacesOfIds(std::vector<MeshPart>& parts, Exchange& exchange,
+  const std::function<void(const std::string&)>& warn)
 {
-  std::vector<PlaceOfId*> points;
-  for (auto& [from, list] : asked)
+  SharedKeys ids;
+  std::vector<vtkIdType> told;
+  for (MeshPart& part : parts)
   {
-    for (PlaceOfId& point : InTurn(list))
+    part.Variants.assign(part.Points.size(), 0);
+    PlaceOfId place{ {}, 1e-6 * part.Mesh->GetLength(), part.Index };
+    for (const size_t i : InTurn(part.Points.size()))
     {
-      points.push_back(&point);
+      ids.Keys.push_back(part.Points[i]);
+      part.Mesh->GetPoint(static_cast<vtkIdType>(i), place.At.data());
+      told.resize(told.size() + SizeOfPlace);
+      std::memcpy(&*(told.end() - SizeOfPlace), &place, sizeof(place));
     }
   }
-  StableSort(points, [](const PlaceOfId* a, const PlaceOfId* b) { return a->Id < b->Id; });
+  ids.Own.assign(ids.Keys.size(), 1);
+  SharedDirectory directory(ids, SizeOfPlace, told, 1, exchange);
   vtkIdType several = 0;
-  const PlaceOfId* first[2] = {};
-  ForEachRun(
-    points, [](const PlaceOfId* point) { return point->Id; },
-    [&](size_t begin, size_t end)
+  vtkIdType id = 0; // the first of them, and two of its points
+  PlaceOfId apart[2] = {};
+  std::vector<PointOfId> points;
+  directory.ForThings(
+    [&](auto first, auto last)
     {
-      const PlaceOfId* other = SetVariants(points.data() + begin, points.data() + end);
-      if (other && several++ == 0)
+      points.clear();
+      for (auto entry = first; entry != last; ++entry)
       {
-        first[0] = points[begin];
-        first[1] = other;
+        points.push_back({ {}, entry->Answer });
+        std::memcpy(&points.back().Place, entry->Told, sizeof(PlaceOfId));
+      }
+      const PlaceOfId one = points[0].Place;
+      const PointOfId* other = SetVariants(points);
+      several += other ? 1 : 0;
+      if (other && several == 1)
+      {
+        id = *first->Key;
+        apart[0] = one;
+        apart[1] = other->Place;
       }
     });
   if (several > 0)
   {
-    warn(DescribePlaces(several, *first[0], *first[1]));
+    warn(DescribePlaces(several, id, apart[0], apart[1]));
   }
-  return several > 0;
-}
-
-/// Calls visit(point, index) for the points of a part that have an id.
-template <typename Visit>
-void ForEachPoint(const MeshPart& part, const Visit& visit)
-{
-  const double tolerance = 1e-6 * part.Mesh->GetLength();
-  for (const size_t i : InTurn(part.Points.size()))
-  {
-    PlaceOfId point{ part.Points[i], {}, tolerance, part.Index, 0 };
-    if (point.Id >= 0)
-    {
-      part.Mesh->GetPoint(static_cast<vtkIdType>(i), point.At.data());
-      visit(point, i);
-    }
-  }
-}
-
-}
-
-bool FindPlacesOfIds(Parts& parts, Exchange& exchange, const Warn& warn)
-{
-  const int partitions = exchange.GetNumberOfPartitions();
-  std::vector<Exchange::Lists<PlaceOfId>> lists(parts.size());
-  std::vector<Exchange::Lists<vtkIdType*>> variants(parts.size()); // of the points in the lists
-  for (size_t p = 0; p < parts.size(); ++p)
-  {
-    for (MeshPart& part : parts[p])
-    {
-      part.Variants.assign(part.Points.size(), 0);
-      ForEachPoint(part,
-        [&](const PlaceOfId& point, size_t i)
-        {
-          lists[p][static_cast<int>(point.Id % partitions)].push_back(point);
-          variants[p][static_cast<int>(point.Id % partitions)].push_back(&part.Variants[i]);
-        });
-    }
-  }
-  std::vector<Exchange::Lists<PlaceOfId>> asked = exchange.SendLists(lists);
-  bool areSame = true;
-  for (Exchange::Lists<PlaceOfId>& list : asked)
-  {
-    areSame = !CompareIds(list, warn) && areSame;
-  }
-  const bool areSeveral = !exchange.Agree(areSame);
+  const bool areSeveral = !exchange.Agree(several == 0);
   if (areSeveral)
   {
-    const std::vector<Exchange::Lists<PlaceOfId>> answers = exchange.SendLists(asked);
-    for (size_t p = 0; p < parts.size(); ++p)
+    const std::vector<vtkIdType> variants = directory.TakeAnswers();
+    auto variant = variants.begin();
+    for (MeshPart& part : parts)
     {
-      for (const auto& [from, list] : answers[p])
+      for (vtkIdType& own : part.Variants)
       {
-        for (size_t i = 0; i < list.size(); ++i)
-        {
-          *variants[p][from][i] = list[i].Variant;
-        }
+        own = std::max<vtkIdType>(*variant++, 0);
       }
     }
   }
   return areSeveral;
 }
 
-bool HavePlacesOfIds(const Parts& parts, Exchange& exchange)
+bool HavePlacesOfIds(std::vector<MeshPart>& parts, Exchange& exchange)
 {
-  bool areSame = true;
-  for (const std::vector<MeshPart>& partition : parts)
-  {
-    Exchange::Lists<PlaceOfId> points;
-    for (const MeshPart& part : partition)
-    {
-      ForEachPoint(part, [&](const PlaceOfId& point, size_t) { points[0].push_back(point); });
-    }
-    areSame = !CompareIds(points, [](const std::string&) {}) && areSame;
-  }
-  return exchange.Agree(areSame);
+  PartitionsOfRank alone;
+  ExchangeOfAll own(alone);
+  return exchange.Agree(!FindPlacesOfIds(parts, own, [](const std::string&) {}));
 }
 
 }

@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_PlacesOfIds_h
 #define SubdivisionObjects_PlacesOfIds_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <functional>
 #include <string>
@@ -21,15 +21,15 @@ namespace subdivision
  * differ; `warn` gets a message, and MeshPart::Variants then tells the points of an id apart: 0 for
  * those at the place of the first one, other numbers for other places.
  *
- * One exchange, of 64 bytes for each point, and one more where places differ.
+ * One exchange, of 48 bytes for each point, and one more of 8 where places differ.
  */
-bool FindPlacesOfIds(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+bool FindPlacesOfIds(std::vector<MeshPart>& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn);
 
 /// Whether the points of each id lie at one place, by the same rule, among the parts that a
-/// partition has, with those of others. All ranks call it, and get the same answer; nothing else is
-/// sent.
-bool HavePlacesOfIds(const std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
+/// partition has, with those of others. All partitions call it, and get the same answer; nothing
+/// else is sent.
+bool HavePlacesOfIds(std::vector<MeshPart>& parts, Exchange& exchange);
 
 }
 

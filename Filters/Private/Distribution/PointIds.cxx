@@ -5,6 +5,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Distribution/BlockCases.h"
 #include "Private/Distribution/PlacesOfIds.h"
+#include "Private/Partitions/SharedValues.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Values/PointCopies.h"
@@ -28,7 +29,8 @@ namespace subdivision
 namespace
 {
 
-using Parts = std::vector<std::vector<MeshPart>>;
+using Parts = std::vector<MeshPart>;
+using Ids = std::vector<vtkIdType>;
 
 /// Marks the cells that are used, and the points: all but those that only duplicate cells use.
 void MarkUsed(MeshPart& part)
@@ -69,72 +71,51 @@ void MarkUsed(MeshPart& part)
 bool AllHave(const Parts& parts, Exchange& exchange, int association)
 {
   bool have = true;
-  for (const auto& partition : parts)
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : partition)
-    {
-      const vtkIdType size = part.Mesh->GetNumberOfElements(association);
-      const std::vector<vtkIdType> ids = ReadIdsOf(part.Mesh->GetAttributes(association), size);
-      have = have && static_cast<vtkIdType>(ids.size()) == size &&
-        std::all_of(
-          ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0 && id < VTK_ID_MAX; });
-    }
+    const vtkIdType size = part.Mesh->GetNumberOfElements(association);
+    const Ids ids = ReadIdsOf(part.Mesh->GetAttributes(association), size);
+    have = have && static_cast<vtkIdType>(ids.size()) == size &&
+      std::all_of(ids.begin(), ids.end(), [](vtkIdType id) { return id >= 0 && id < VTK_ID_MAX; });
   }
   return exchange.Agree(have);
 }
 
-void TakeGlobalIds(Parts& parts, int association, std::vector<vtkIdType> MeshPart::* ids)
+void TakeGlobalIds(Parts& parts, int association, Ids MeshPart::* ids)
 {
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : partition)
+    const Ids given =
+      ReadIdsOf(part.Mesh->GetAttributes(association), part.Mesh->GetNumberOfElements(association));
+    for (size_t i = 0; i < given.size(); ++i)
     {
-      const std::vector<vtkIdType> given = ReadIdsOf(
-        part.Mesh->GetAttributes(association), part.Mesh->GetNumberOfElements(association));
-      for (size_t i = 0; i < given.size(); ++i)
-      {
-        vtkIdType& id = (part.*ids)[i];
-        id = id < 0 ? -1 : given[i];
-      }
+      vtkIdType& id = (part.*ids)[i];
+      id = id < 0 ? -1 : given[i];
     }
   }
 }
 
-/// The numbers at which the partitions of this rank start, if partition i of it takes counts[i].
-std::vector<vtkIdType> GetStarts(const std::vector<vtkIdType>& counts, Exchange& exchange)
+/// The number at which this partition starts if it takes `count` of them.
+vtkIdType GetStart(vtkIdType count, Exchange& exchange)
 {
-  const std::vector<vtkIdType> all = exchange.Gather(counts);
-  std::vector<vtkIdType> starts;
-  for (size_t i = 0; i < counts.size(); ++i)
-  {
-    starts.push_back(std::accumulate(
-      all.begin(), all.begin() + exchange.GetPartition(static_cast<int>(i)), vtkIdType(0)));
-  }
-  return starts;
+  const Ids all = exchange.Gather(count);
+  return std::accumulate(all.begin(), all.begin() + exchange.GetPartition(), vtkIdType(0));
 }
 
 void NumberCells(Parts& parts, Exchange& exchange)
 {
-  std::vector<vtkIdType> counts;
-  for (const auto& partition : parts)
+  vtkIdType count = 0;
+  for (const MeshPart& part : parts)
   {
-    vtkIdType count = 0;
-    for (const MeshPart& part : partition)
-    {
-      count +=
-        std::count_if(part.Cells.begin(), part.Cells.end(), [](vtkIdType id) { return id >= 0; });
-    }
-    counts.push_back(count);
+    count +=
+      std::count_if(part.Cells.begin(), part.Cells.end(), [](vtkIdType id) { return id >= 0; });
   }
-  std::vector<vtkIdType> next = GetStarts(counts, exchange);
-  for (size_t p = 0; p < parts.size(); ++p)
+  vtkIdType next = GetStart(count, exchange);
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : parts[p])
+    for (vtkIdType& id : part.Cells)
     {
-      for (vtkIdType& id : part.Cells)
-      {
-        id = id < 0 ? -1 : next[p]++;
-      }
+      id = id < 0 ? -1 : next++;
     }
   }
 }
@@ -142,34 +123,22 @@ void NumberCells(Parts& parts, Exchange& exchange)
 /// Whether no two cells have the same global id.
 bool HaveDistinctCells(const Parts& parts, Exchange& exchange)
 {
-  const vtkIdType partitions = exchange.GetNumberOfPartitions();
-  std::vector<Exchange::Lists<vtkIdType>> lists(parts.size());
-  for (size_t p = 0; p < parts.size(); ++p)
+  SharedKeys cells;
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : parts[p])
+    const Ids ids = ReadIdsOf(part.Mesh->GetCellData(), part.Mesh->GetNumberOfCells());
+    for (size_t i = 0; i < ids.size(); ++i)
     {
-      const std::vector<vtkIdType> ids =
-        ReadIdsOf(part.Mesh->GetCellData(), part.Mesh->GetNumberOfCells());
-      for (size_t i = 0; i < ids.size(); ++i)
+      if (part.Cells[i] >= 0)
       {
-        if (part.Cells[i] >= 0)
-        {
-          lists[p][static_cast<int>(ids[i] % partitions)].push_back(ids[i]);
-        }
+        cells.Keys.push_back(ids[i]);
       }
     }
   }
+  cells.Own.assign(cells.Keys.size(), 1);
+  SharedDirectory directory(cells, 0, {}, 0, exchange);
   bool distinct = true;
-  for (const Exchange::Lists<vtkIdType>& arrived : exchange.SendLists(lists))
-  {
-    std::vector<vtkIdType> all;
-    for (const auto& [from, list] : arrived)
-    {
-      all.insert(all.end(), list.begin(), list.end());
-    }
-    std::sort(all.begin(), all.end());
-    distinct = distinct && std::adjacent_find(all.begin(), all.end()) == all.end();
-  }
+  directory.ForThings([&](auto first, auto last) { distinct = distinct && last - first == 1; });
   return exchange.Agree(distinct);
 }
 
@@ -189,32 +158,25 @@ struct Site
   bool operator!=(const Site& other) const { return this->Get() != other.Get(); }
 };
 
-/// A place, and a number of it in its partition.
-struct Place
+/// Adds the key by which the directory knows a site. Of coordinates the first id is the partition
+/// that keeps it.
+void AddKey(const Site& site, bool byIds, int partitions, SharedKeys& keys)
 {
-  Site At;
-  vtkIdType Number;
-  int Partition;
-  int IsSeveral; ///< a part has several points there
-
-  bool operator<(const Place& other) const
+  if (byIds)
   {
-    return this->At != other.At ? this->At < other.At : this->Partition < other.Partition;
+    keys.Keys.insert(keys.Keys.end(), { site.Id, static_cast<vtkIdType>(site.At[0]), site.Case });
+    return;
   }
-};
-
-std::size_t Hash(const Site& site)
-{
-  std::uint64_t hash =
-    static_cast<std::uint64_t>(site.Id + 1) * 31 + static_cast<std::uint64_t>(site.Case);
-  for (const double x : site.At)
+  vtkIdType bits[3];
+  std::memcpy(bits, site.At.data(), sizeof(bits));
+  std::uint64_t hash = 0;
+  for (const vtkIdType x : bits)
   {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, &x, sizeof(bits));
-    hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
+    hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15u;
     hash ^= hash >> 29;
   }
-  return static_cast<std::size_t>(hash);
+  keys.Keys.push_back(static_cast<vtkIdType>(hash % static_cast<std::uint64_t>(partitions)));
+  keys.Keys.insert(keys.Keys.end(), bits, bits + 3);
 }
 
 /// A point of a partition.
@@ -234,7 +196,7 @@ struct PointOfPart
 
 /// The points of a partition sorted by place; those without a finite place, which nobody can share,
 /// come last and unsorted.
-std::vector<PointOfPart> SortPoints(const std::vector<MeshPart>& parts, bool byIds, size_t& finite)
+std::vector<PointOfPart> SortPoints(const Parts& parts, bool byIds, size_t& finite)
 {
   std::vector<PointOfPart> points;
   std::vector<PointOfPart> others;
@@ -280,7 +242,7 @@ struct PlacesOfPartition
   std::vector<char> IsSeveral;
   std::vector<vtkIdType> Ids; ///< of each place; -1: its points have ids of their own
 
-  PlacesOfPartition(const std::vector<MeshPart>& parts, bool byIds, bool joinsCopies)
+  PlacesOfPartition(const Parts& parts, bool byIds, bool joinsCopies)
   {
     std::vector<std::vector<vtkIdType>> firsts(parts.size()); // of copies; empty: there are none
     for (std::size_t p = 0; joinsCopies && p < parts.size(); ++p)
@@ -314,198 +276,124 @@ struct PlacesOfPartition
 };
 
 /// What the directory says of a place: the first partition that has it (which gives the number),
-/// and whether points stay apart there.
+/// the place there, and whether points stay apart there.
 struct Answer
 {
-  vtkIdType Number;
-  int Owner;
-  int IsSeveral;
+  vtkIdType Owner;
+  vtkIdType Place;
+  bool IsSeveral;
 };
 
-/// Asks for each place of each partition who else has it.
-std::vector<std::vector<Answer>> AskDirectory(
-  const std::vector<PlacesOfPartition>& own, Exchange& exchange)
+/// Asks for each place who else has it.
+std::vector<Answer> AskDirectory(const PlacesOfPartition& own, bool byIds, Exchange& exchange)
 {
-  const auto partitions = static_cast<std::size_t>(exchange.GetNumberOfPartitions());
-  std::vector<Exchange::Lists<Place>> questions(own.size());
-  std::vector<std::vector<Answer>> answers;
-  for (const size_t p : InTurn(own.size()))
+  std::vector<Answer> answers;
+  for (const size_t i : InTurn(own.GetNumberOfPlaces()))
   {
-    answers.emplace_back();
-    const int self = exchange.GetPartition(static_cast<int>(p));
-    for (size_t i = 0; i < own[p].GetNumberOfPlaces(); ++i)
-    {
-      answers[p].push_back({ static_cast<vtkIdType>(i), self, own[p].IsSeveral[i] });
-      if (partitions > 1 && i < own[p].NumberOfFinite)
-      {
-        const auto& at = own[p].Points[own[p].Begins[i]].At;
-        questions[p][static_cast<int>(Hash(at) % partitions)].push_back(
-          { at, static_cast<vtkIdType>(i), self, own[p].IsSeveral[i] });
-      }
-    }
+    answers.push_back(
+      { exchange.GetPartition(), static_cast<vtkIdType>(i), own.IsSeveral[i] != 0 });
   }
-  if (partitions == 1)
+  if (exchange.GetNumberOfPartitions() == 1)
   {
     return answers;
   }
-  // The answer to each question, in the order of the questions.
-  std::vector<Exchange::Lists<Place>> asked = exchange.SendLists(questions);
-  std::vector<Exchange::Lists<Answer>> replies(own.size());
-  for (size_t d = 0; d < asked.size(); ++d)
+  SharedKeys keys;
+  keys.Width = byIds ? 3 : 4;
+  Ids told;
+  for (const size_t i : InTurn(own.NumberOfFinite))
   {
-    std::vector<Place> all;
-    for (const auto& [from, list] : asked[d])
-    {
-      all.insert(all.end(), list.begin(), list.end());
-    }
-    std::sort(all.begin(), all.end());
-    for (const auto& [from, list] : asked[d])
-    {
-      for (const Place& place : list)
-      {
-        auto first = std::lower_bound(all.begin(), all.end(), place,
-          [](const Place& a, const Place& b) { return a.At < b.At; });
-        Answer answer = { first->Number, first->Partition, 0 };
-        for (; first != all.end() && !(first->At != place.At); ++first)
-        {
-          answer.IsSeveral |= first->IsSeveral;
-        }
-        replies[d][from].push_back(answer);
-      }
-    }
+    AddKey(own.Points[own.Begins[i]].At, byIds, exchange.GetNumberOfPartitions(), keys);
+    keys.Own.push_back(1);
+    told.push_back(2 * answers[i].Place + own.IsSeveral[i]);
   }
-  const std::vector<Exchange::Lists<Answer>> arrived = exchange.SendLists(replies);
-  for (const size_t p : InTurn(own.size()))
-  {
-    for (const auto& [from, list] : arrived[p])
+  SharedDirectory directory(keys, 1, told, 2, exchange);
+  directory.ForThings(
+    [](auto first, auto last)
     {
-      const std::vector<Place>& mine = questions[p][from];
-      for (size_t i = 0; i < list.size(); ++i)
+      const bool isSeveral =
+        std::any_of(first, last, [](const auto& entry) { return *entry.Told % 2 != 0; });
+      for (auto entry = first; entry != last; ++entry)
       {
-        answers[p][mine[i].Number] = list[i];
+        entry->Answer[0] = first->From;
+        entry->Answer[1] = *first->Told / 2 * 2 + (isSeveral ? 1 : 0);
       }
-    }
+    });
+  const Ids found = directory.TakeAnswers();
+  for (const size_t i : InTurn(own.NumberOfFinite))
+  {
+    answers[i] = { found[2 * i], found[2 * i + 1] / 2, found[2 * i + 1] % 2 != 0 };
   }
   return answers;
 }
 
-/// Gives numbers to the places and points that partitions own: in the order in which the points
-/// stand in the parts, so that one partition keeps its order.
-void NumberOwn(const std::vector<std::vector<Answer>>& answers, Parts& parts,
-  std::vector<PlacesOfPartition>& places, Exchange& exchange)
+/// Gives numbers to the places and points that this partition owns: in the order in which the
+/// points stand in the parts, so that one partition keeps its order.
+void NumberOwn(
+  const std::vector<Answer>& answers, Parts& parts, PlacesOfPartition& own, Exchange& exchange)
 {
-  std::vector<vtkIdType> counts;
-  for (size_t p = 0; p < parts.size(); ++p)
+  own.Ids.assign(own.GetNumberOfPlaces(), -1);
+  std::vector<Ids> placeOf; // of each point, by part and index
+  for (const MeshPart& part : parts)
   {
-    const int self = exchange.GetPartition(static_cast<int>(p));
-    PlacesOfPartition& own = places[p];
-    own.Ids.assign(own.GetNumberOfPlaces(), -1);
-    // The place of each point, by part and index.
-    std::vector<std::vector<vtkIdType>> placeOf;
-    for (const MeshPart& part : parts[p])
-    {
-      placeOf.emplace_back(part.Points.size(), -1);
-    }
-    for (size_t i = 0; i < own.GetNumberOfPlaces(); ++i)
-    {
-      for (size_t k = own.Begins[i]; k < own.Begins[i + 1]; ++k)
-      {
-        placeOf[own.Points[k].Part][own.Points[k].Index] = static_cast<vtkIdType>(i);
-      }
-    }
-    vtkIdType count = 0;
-    for (size_t q = 0; q < parts[p].size(); ++q)
-    {
-      for (size_t i = 0; i < placeOf[q].size(); ++i)
-      {
-        const vtkIdType place = placeOf[q][i];
-        if (place < 0)
-        {
-          continue;
-        }
-        const Answer& answer = answers[p][place];
-        if (answer.IsSeveral)
-        {
-          parts[p][q].Points[i] = count++;
-        }
-        else if (answer.Owner == self && own.Ids[place] < 0)
-        {
-          own.Ids[place] = count++;
-        }
-      }
-    }
-    counts.push_back(count);
+    placeOf.emplace_back(part.Points.size(), -1);
   }
-  const std::vector<vtkIdType> starts = GetStarts(counts, exchange);
+  for (size_t i = 0; i < own.GetNumberOfPlaces(); ++i)
+  {
+    for (size_t k = own.Begins[i]; k < own.Begins[i + 1]; ++k)
+    {
+      placeOf[own.Points[k].Part][own.Points[k].Index] = static_cast<vtkIdType>(i);
+    }
+  }
+  vtkIdType count = 0;
   for (size_t p = 0; p < parts.size(); ++p)
   {
-    for (vtkIdType& id : places[p].Ids)
+    for (size_t i = 0; i < placeOf[p].size(); ++i)
     {
-      id = id < 0 ? -1 : id + starts[p];
-    }
-    for (MeshPart& part : parts[p])
-    {
-      for (vtkIdType& id : part.Points)
+      const vtkIdType place = placeOf[p][i];
+      if (place >= 0 && answers[place].IsSeveral)
       {
-        id = id < 0 ? -1 : id + starts[p]; // overwritten below where the place has the number
+        parts[p].Points[i] = count++;
+      }
+      else if (place >= 0 && answers[place].Owner == exchange.GetPartition() && own.Ids[place] < 0)
+      {
+        own.Ids[place] = count++;
       }
     }
+  }
+  const vtkIdType start = GetStart(count, exchange);
+  const auto move = [start](Ids& ids)
+  {
+    for (vtkIdType& id : ids)
+    {
+      id = id < 0 ? -1 : id + start;
+    }
+  };
+  move(own.Ids);
+  for (MeshPart& part : parts)
+  {
+    move(part.Points); // overwritten below where the place has the number
   }
 }
 
-/// Asks the owners for the numbers of places that other partitions own.
-void FetchNumbers(const std::vector<std::vector<Answer>>& answers,
-  std::vector<PlacesOfPartition>& places, Exchange& exchange)
+/// Takes the numbers of places that other partitions own.
+void FetchNumbers(const std::vector<Answer>& answers, PlacesOfPartition& places, Exchange& exchange)
 {
-  std::vector<Exchange::Lists<vtkIdType>> questions(places.size());
-  std::vector<Exchange::Lists<vtkIdType>> askedFor(places.size());
-  for (const size_t p : InTurn(places.size()))
+  Ids owners;
+  for (const Answer& answer : InTurn(answers))
   {
-    const int self = exchange.GetPartition(static_cast<int>(p));
-    for (size_t i = 0; i < answers[p].size(); ++i)
-    {
-      if (!answers[p][i].IsSeveral && answers[p][i].Owner != self)
-      {
-        questions[p][answers[p][i].Owner].push_back(answers[p][i].Number);
-        askedFor[p][answers[p][i].Owner].push_back(static_cast<vtkIdType>(i));
-      }
-    }
+    const bool isOfOther = !answer.IsSeveral && answer.Owner != exchange.GetPartition();
+    owners.push_back(isOfOther ? answer.Owner : -1);
+    owners.push_back(isOfOther ? answer.Place : -1);
   }
-  std::vector<Exchange::Lists<vtkIdType>> replies(places.size());
-  const std::vector<Exchange::Lists<vtkIdType>> asked = exchange.SendLists(questions);
-  for (const size_t p : InTurn(places.size()))
-  {
-    for (const auto& [from, list] : asked[p])
-    {
-      for (const vtkIdType place : list)
-      {
-        replies[p][from].push_back(places[p].Ids[place]);
-      }
-    }
-  }
-  const std::vector<Exchange::Lists<vtkIdType>> arrived = exchange.SendLists(replies);
-  for (const size_t p : InTurn(places.size()))
-  {
-    for (const auto& [from, list] : arrived[p])
-    {
-      for (size_t i = 0; i < list.size(); ++i)
-      {
-        places[p].Ids[askedFor[p][from][i]] = list[i];
-      }
-    }
-  }
+  SharedValues(owners, exchange).TakeOthers(places.Ids.data(), 1);
 }
 
 /// `byIds`: points have the same place if they have the same number, variant and case.
 void IdentifyByPlace(Parts& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn, bool byIds, bool joinsCopies)
 {
-  std::vector<PlacesOfPartition> places;
-  for (const auto& partition : parts)
-  {
-    places.emplace_back(partition, byIds, joinsCopies);
-  }
-  const std::vector<std::vector<Answer>> answers = AskDirectory(places, exchange);
+  PlacesOfPartition places(parts, byIds, joinsCopies);
+  const std::vector<Answer> answers = AskDirectory(places, byIds, exchange);
   NumberOwn(answers, parts, places, exchange);
   if (exchange.GetNumberOfPartitions() > 1)
   {
@@ -513,24 +401,21 @@ void IdentifyByPlace(Parts& parts, Exchange& exchange,
   }
   vtkIdType several = 0;
   const PointOfPart* first = nullptr;
-  for (size_t p = 0; p < parts.size(); ++p)
+  for (size_t i = 0; i < places.GetNumberOfPlaces(); ++i)
   {
-    for (size_t i = 0; i < places[p].GetNumberOfPlaces(); ++i)
+    const PointOfPart* begin = places.Points.data() + places.Begins[i];
+    const PointOfPart* end = places.Points.data() + places.Begins[i + 1];
+    if (answers[i].IsSeveral)
     {
-      if (answers[p][i].IsSeveral)
-      {
-        const bool isShared = answers[p][i].Owner != exchange.GetPartition(static_cast<int>(p)) ||
-          places[p].Points[places[p].Begins[i]].Part !=
-            places[p].Points[places[p].Begins[i + 1] - 1].Part;
-        several += isShared ? 1 : 0;
-        first = isShared && !first ? &places[p].Points[places[p].Begins[i]] : first;
-        continue;
-      }
-      for (size_t k = places[p].Begins[i]; k < places[p].Begins[i + 1]; ++k)
-      {
-        const PointOfPart& point = places[p].Points[k];
-        parts[p][point.Part].Points[point.Index] = places[p].Ids[i];
-      }
+      const bool isShared =
+        answers[i].Owner != exchange.GetPartition() || begin->Part != (end - 1)->Part;
+      several += isShared ? 1 : 0;
+      first = isShared && !first ? begin : first;
+      continue;
+    }
+    for (const PointOfPart* point = begin; point != end; ++point)
+    {
+      parts[point->Part].Points[point->Index] = places.Ids[i];
     }
   }
   if (several > 0)
@@ -549,12 +434,9 @@ void IdentifyByPlace(Parts& parts, Exchange& exchange,
 bool IdentifyPoints(Parts& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn, bool joinsCopies)
 {
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : partition)
-    {
-      MarkUsed(part);
-    }
+    MarkUsed(part);
   }
   bool areSeveral = false;
   if (!AllHave(parts, exchange, vtkDataObject::POINT))

@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_PointIds_h
 #define SubdivisionObjects_PointIds_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <functional>
 #include <string>
@@ -16,8 +16,7 @@ namespace subdivision
 {
 
 /**
- * Sets Points and Cells of the parts, which several ranks may have: `parts[i]` are those of
- * partition i of this rank, and `exchange` knows the others.
+ * Sets Points and Cells of the parts of a partition, which all partitions do together.
  *
  * Points of the same global id and place (FindPlacesOfIds) are one point. If a part has no global
  * ids, points of the same coordinates are, bit for bit (-0 is 0); where one part has two points at
@@ -31,10 +30,10 @@ namespace subdivision
  *
  * Returns whether some points of one id lie at different places.
  *
- * Without global ids of points four exchanges, at most 64 bytes for each point; with global ids of
+ * Without global ids of points four exchanges, at most 72 bytes for each point; with global ids of
  * cells one, 8 bytes for each cell.
  */
-bool IdentifyPoints(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange,
+bool IdentifyPoints(std::vector<MeshPart>& parts, Exchange& exchange,
   const std::function<void(const std::string&)>& warn, bool joinsCopies = false);
 
 }

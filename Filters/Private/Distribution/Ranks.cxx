@@ -131,7 +131,7 @@ RankMessages::RankMessages(RunOptions& options)
 
 bool RankMessages::Tell(Exchange& ranks, RunEnd end)
 {
-  const bool one = ranks.GetNumberOfRanks() == 1;
+  const bool one = ranks.GetNumberOfPartitions() == 1;
   const auto worst =
     static_cast<RunEnd>(ranks.Max(static_cast<vtkIdType>(this->Failed ? RunEnd::Failed : end)));
   if (worst == RunEnd::NotDone)
@@ -147,12 +147,11 @@ bool RankMessages::Tell(Exchange& ranks, RunEnd end)
     all += "w" + warning + '\0';
   }
   all += this->Failed ? "e" + this->Error + '\0' : "";
-  std::vector<Exchange::Messages> out(static_cast<size_t>(ranks.GetPartitionsOfRank()));
-  out[0][0] = ToBytes(all);
+  Exchange::Messages messages{ { 0, ToBytes(all) } };
+  ranks.Send(messages);
   std::set<std::string> told;
   bool hasError = false;
-  const std::vector<Exchange::Messages> in = ranks.Send(std::move(out));
-  for (const auto& [from, bytes] : in[0])
+  for (const auto& [from, bytes] : messages)
   {
     std::istringstream lines(ToText(bytes));
     for (std::string line; std::getline(lines, line, '\0');)
@@ -172,27 +171,23 @@ bool RankMessages::Tell(Exchange& ranks, RunEnd end)
 
 int CountRanksOfMachine(Exchange& ranks)
 {
-  if (ranks.GetNumberOfRanks() == 1)
+  if (ranks.GetNumberOfPartitions() == 1)
   {
     return 1;
   }
   vtksys::SystemInformation system;
   const char* name = system.GetHostname();
   const auto own = static_cast<vtkIdType>(std::hash<std::string>()(name ? name : "") >> 1);
-  const std::vector<vtkIdType> all =
-    ranks.Gather(std::vector<vtkIdType>(static_cast<size_t>(ranks.GetPartitionsOfRank()), own));
+  const std::vector<vtkIdType> all = ranks.Gather(own);
   return std::max(1, static_cast<int>(std::count(all.begin(), all.end(), own)));
 }
 
-std::string CheckMemoryForJoining(const std::vector<std::vector<MeshPart>>& parts)
+std::string CheckMemoryForJoining(const std::vector<MeshPart>& parts)
 {
   double bytes = 0.;
-  for (const auto& partition : parts)
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : partition)
-    {
-      bytes += 4. * 1024. * static_cast<double>(part.Mesh->GetActualMemorySize());
-    }
+    bytes += 4. * 1024. * static_cast<double>(part.Mesh->GetActualMemorySize());
   }
   if (bytes <= GetAvailableMemory())
   {
@@ -203,14 +198,9 @@ std::string CheckMemoryForJoining(const std::vector<std::vector<MeshPart>>& part
     ". Use a part of the input, more ranks on other machines, or switch JoinBlocks off.";
 }
 
-std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks)
+std::string CheckLoad(const std::vector<MeshPart>& parts, Exchange& exchange)
 {
-  std::vector<vtkIdType> own;
-  for (const auto& partition : parts)
-  {
-    own.push_back(CountCells(partition));
-  }
-  const std::vector<vtkIdType> all = ranks.Gather(own);
+  const std::vector<vtkIdType> all = exchange.Gather(CountCells(parts));
   const auto most = std::max_element(all.begin(), all.end());
   const double mean = static_cast<double>(std::accumulate(all.begin(), all.end(), vtkIdType(0))) /
     static_cast<double>(all.size());
@@ -225,64 +215,40 @@ std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange&
     "vtkRedistributeDataSetFilter before this filter.";
 }
 
-int FindPointType(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks)
+int FindPointType(const std::vector<MeshPart>& parts, Exchange& exchange)
 {
   vtkIdType type = 0;
-  for (const auto& partition : parts)
+  for (const MeshPart& part : parts)
   {
-    for (const MeshPart& part : partition)
-    {
-      type = std::max<vtkIdType>(type, part.Mesh->GetPoints()->GetDataType() == VTK_FLOAT ? 1 : 2);
-    }
+    type = std::max<vtkIdType>(type, part.Mesh->GetPoints()->GetDataType() == VTK_FLOAT ? 1 : 2);
   }
-  return ranks.Max(type) == 2 ? VTK_DOUBLE : VTK_FLOAT;
+  return exchange.Max(type) == 2 ? VTK_DOUBLE : VTK_FLOAT;
 }
 
-void ShareArrays(std::vector<std::vector<MeshPart>>& parts, Exchange& ranks)
+void ShareArrays(std::vector<MeshPart>& parts, Exchange& exchange)
 {
-  std::vector<Exchange::Messages> out(parts.size());
-  std::vector<std::set<Description>> own;
-  for (size_t p = 0; p < parts.size(); ++p)
+  const std::set<Description> own = DescribeArrays(parts);
+  std::set<Description> all;
+  std::vector<char> text = ToBytes(Write(own));
+  exchange.BringTo(0, text);
+  Read(ToText(text), all);
+  text = ToBytes(Write(all));
+  exchange.TakeFrom(0, text);
+  all.clear();
+  Read(ToText(text), all);
+  if (parts.empty())
   {
-    own.push_back(DescribeArrays(parts[p]));
-    out[p][0] = ToBytes(Write(own[p]));
+    return;
   }
-  const std::vector<Exchange::Messages> toFirst = ranks.Send(std::move(out));
-  std::vector<Exchange::Messages> back(parts.size());
-  if (ranks.GetPartition(0) == 0)
+  MeshPart added = MakeEmptyPart(parts[0]);
+  for (const Description& array : all)
   {
-    std::set<Description> all;
-    for (const auto& [from, bytes] : toFirst[0])
+    if (own.count(array) == 0)
     {
-      Read(ToText(bytes), all);
-    }
-    for (int p = 0; p < ranks.GetNumberOfPartitions(); ++p)
-    {
-      back[0][p] = ToBytes(Write(all));
+      AddArray(array, added.Mesh);
     }
   }
-  const std::vector<Exchange::Messages> toAll = ranks.Send(std::move(back));
-  for (size_t p = 0; p < parts.size(); ++p)
-  {
-    std::set<Description> all;
-    for (const auto& [from, bytes] : toAll[p])
-    {
-      Read(ToText(bytes), all);
-    }
-    if (parts[p].empty())
-    {
-      continue;
-    }
-    MeshPart added = MakeEmptyPart(parts[p][0]);
-    for (const Description& array : all)
-    {
-      if (own[p].count(array) == 0)
-      {
-        AddArray(array, added.Mesh);
-      }
-    }
-    parts[p].push_back(std::move(added));
-  }
+  parts.push_back(std::move(added));
 }
 
 }

@@ -7,8 +7,8 @@
 #ifndef SubdivisionObjects_Ranks_h
 #define SubdivisionObjects_Ranks_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Run/RunOptions.h"
 
 namespace subdivision
@@ -48,18 +48,18 @@ int CountRanksOfMachine(Exchange& ranks);
 
 /// An error message if this rank has not enough memory for the meshes of the input twice, in the
 /// joined mesh and in messages, and as many cells of others; else empty.
-std::string CheckMemoryForJoining(const std::vector<std::vector<MeshPart>>& parts);
+std::string CheckMemoryForJoining(const std::vector<MeshPart>& parts);
 
-/// A warning if a rank has more than three times the mean number of cells; else empty. The same on
-/// all ranks.
-std::string CheckLoad(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+/// A warning if a partition has more than three times the mean number of cells; else empty. The
+/// same in all partitions.
+std::string CheckLoad(const std::vector<MeshPart>& parts, Exchange& exchange);
 
-/// The type of the points of the joined mesh, on all ranks: single precision where all have it.
-int FindPointType(const std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+/// The type of the points of all joined meshes: single precision where all have it.
+int FindPointType(const std::vector<MeshPart>& parts, Exchange& exchange);
 
-/// Adds an empty part to each partition that has the arrays which only others have: so that a
-/// filter finds an array that is named on all ranks or on none. Its values are 0 here.
-void ShareArrays(std::vector<std::vector<MeshPart>>& parts, Exchange& ranks);
+/// Adds an empty part that has the arrays which only other partitions have: so that a filter finds
+/// an array that is named in all partitions or in none. Its values are 0 here.
+void ShareArrays(std::vector<MeshPart>& parts, Exchange& exchange);
 
 }
 

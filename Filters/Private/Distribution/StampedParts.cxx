@@ -306,63 +306,55 @@ bool IsStampedList(vtkAbstractArray* array)
 namespace
 {
 
-bool TakeNumbersOfParts(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+bool TakeNumbersOfParts(std::vector<MeshPart>& parts, Exchange& exchange)
 {
   bool taken = true;
   if (exchange.GetNumberOfPartitions() == 1)
   {
-    for (MeshPart& part : parts[0])
+    for (MeshPart& part : parts)
     {
       taken = taken && TakeNumbers(part);
     }
-    return taken && !parts[0].empty();
+    return taken && !parts.empty();
   }
-  Ids cells;
+  vtkIdType cells = 0;
   std::vector<Stamp> stamps;
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    cells.push_back(0);
-    for (MeshPart& part : partition)
-    {
-      stamps.emplace_back();
-      taken = taken && TakeNumbersOfPart(part, stamps.back());
-      cells.back() += taken ? std::count_if(part.Cells.begin(), part.Cells.end(),
-                                [](vtkIdType cell) { return cell >= 0; })
-                            : 0;
-    }
+    stamps.emplace_back();
+    taken = taken && TakeNumbersOfPart(part, stamps.back());
+    cells += taken ? std::count_if(part.Cells.begin(), part.Cells.end(),
+                       [](vtkIdType cell) { return cell >= 0; })
+                   : 0;
   }
   if (!exchange.Agree(taken))
   {
     return false;
   }
-  Stamp one;
   const auto numbersOf = [](const Stamp& stamp)
   {
     return std::array<vtkIdType, 5>{ static_cast<vtkIdType>(stamp.Scheme), stamp.Levels,
       stamp.NumberOfControlPoints, stamp.NumberOfPoints, stamp.NumberOfCells };
   };
-  std::array<vtkIdType, 5> most = numbersOf(stamps.empty() ? one : stamps[0]);
+  std::array<vtkIdType, 5> most = numbersOf(stamps.empty() ? Stamp() : stamps[0]);
   for (vtkIdType& number : most)
   {
     number = exchange.Max(stamps.empty() ? -1 : number);
   }
-  const Ids all = exchange.Gather(cells);
+  const vtkIdType all = exchange.Sum(cells);
   return exchange.Agree(std::all_of(stamps.begin(), stamps.end(),
            [&](const Stamp& stamp) { return numbersOf(stamp) == most; })) &&
-    std::accumulate(all.begin(), all.end(), vtkIdType(0)) == most[4];
+    all == most[4];
 }
 
 }
 
-bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange)
+bool TakeStampedNumbers(std::vector<MeshPart>& parts, Exchange& exchange)
 {
   const bool taken = TakeNumbersOfParts(parts, exchange);
-  for (auto& partition : parts)
+  for (MeshPart& part : parts)
   {
-    for (MeshPart& part : partition)
-    {
-      part.Levels = taken ? part.Levels : 0;
-    }
+    part.Levels = taken ? part.Levels : 0;
   }
   return taken;
 }

@@ -7,8 +7,8 @@
 #ifndef SubdivisionObjects_StampedParts_h
 #define SubdivisionObjects_StampedParts_h
 
-#include "Private/Distribution/Exchange.h"
 #include "Private/Distribution/JoinedMesh.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 class vtkAbstractArray;
 class vtkIdTypeArray;
@@ -23,10 +23,10 @@ bool HasStamp(vtkPointSet* mesh);
 /// which get other names.
 void WriteStampedNumbers(vtkIdTypeArray* points, vtkIdTypeArray* cells, vtkPointSet* block);
 
-/// Sets Points and Cells of the parts of all partitions to these numbers, and Levels; all ranks
-/// call it. Returns false on all of them, and the parts are undefined, unless all parts come
+/// Sets Points and Cells of the parts of a partition to these numbers, and Levels; all partitions
+/// call it. Returns false in all of them, and the parts are undefined, unless all parts come
 /// from one output, and nothing of it is missing.
-bool TakeStampedNumbers(std::vector<std::vector<MeshPart>>& parts, Exchange& exchange);
+bool TakeStampedNumbers(std::vector<MeshPart>& parts, Exchange& exchange);
 
 /// Whether a field array has ids of a stamp that all partitions around the block have to know.
 bool IsStampedList(vtkAbstractArray* array);

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_FittingMarks_h
 #define SubdivisionObjects_FittingMarks_h
 
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,8 @@ std::size_t FindFittingCount(std::size_t marks, const Try& fitsWith)
 /// The same for the marks of one of several partitions, the largest errors first: finds an error
 /// above which the marks of all partitions fit, so that the result is the same for any partition.
 template <typename Mark, typename Try>
-std::size_t FindFittingError(const std::vector<Mark>& marks, Partners& others, const Try& fitsWith)
+std::size_t FindFittingError(
+  const std::vector<Mark>& marks, OtherPartitions& others, const Try& fitsWith)
 {
   const auto count = [&marks](double error)
   {

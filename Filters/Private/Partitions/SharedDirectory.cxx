@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
-#include "Private/Partitions/Partners.h"
 
 namespace subdivision
 {
@@ -12,18 +11,18 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// Shares things out to the partitions that have a mesh, by the first ids of their keys.
-class Keepers
+/// Which partition keeps a thing: those that have a mesh share things by the first ids of keys.
+class KeyRanges
 {
 public:
-  Keepers(const SharedKeys& things, Partners& partners)
+  KeyRanges(const SharedKeys& things, Exchange& exchange)
   {
     vtkIdType last = 0;
     for (std::size_t k = 0; k < things.Keys.size(); k += static_cast<std::size_t>(things.Width))
     {
       last = std::max(last, things.Keys[k]);
     }
-    const Ids all = partners.Gather(last);
+    const Ids all = exchange.Gather(last);
     for (std::size_t p = 0; p < all.size(); ++p)
     {
       if (all[p] >= 0)
@@ -44,41 +43,39 @@ private:
 }
 
 SharedDirectory::SharedDirectory(
-  const SharedKeys& things, int told, const Ids& numbers, int answers, Partners& partners)
-  : With(partners)
+  const SharedKeys& things, int told, const Ids& numbers, int answers, Exchange& exchange)
+  : With(exchange)
   , Width(things.Width)
   , Answers(answers)
   , Size(things.Own.size())
 {
-  const Keepers keepers(things, partners);
-  std::map<int, Ids> questions;
+  const KeyRanges ranges(things, exchange);
   for (const std::size_t i : InTurn(this->Size))
   {
     const auto key = things.Keys.begin() + this->Width * static_cast<std::ptrdiff_t>(i);
     if (*key >= 0)
     {
-      const int keeper = keepers.Find(*key);
-      Ids& question = questions[keeper];
-      question.insert(question.end(), key, key + this->Width);
-      question.push_back(things.Own[i]);
+      const int keeper = ranges.Find(*key);
+      Ids& question = this->Arrived[keeper];
+      question.push_back(things.Own[i] ? *key : -1 - *key);
+      question.insert(question.end(), key + 1, key + this->Width);
       const auto first = numbers.begin() + told * static_cast<std::ptrdiff_t>(i);
       question.insert(question.end(), first, first + told);
       this->Places[keeper].push_back(static_cast<vtkIdType>(i));
     }
   }
-  Partners::Messages messages = PackAll(questions);
-  partners.Send(messages);
-  for (const auto& [from, message] : messages)
+  exchange.SendLists(this->Arrived);
+  for (auto& [from, ids] : this->Arrived)
   {
-    const Ids& ids = this->Arrived[from] = Unpack<vtkIdType>(message);
-    const std::size_t size = ids.size() / static_cast<std::size_t>(this->Width + 1 + told);
+    const std::size_t size = ids.size() / static_cast<std::size_t>(this->Width + told);
     Ids& reply = this->Replies[from];
     reply.assign(size * static_cast<std::size_t>(answers), -1);
-    const vtkIdType* key = ids.data();
-    for (std::size_t i = 0; i < size; ++i, key += this->Width + 1 + told)
+    vtkIdType* key = ids.data();
+    for (std::size_t i = 0; i < size; ++i, key += this->Width + told)
     {
-      this->Entries.push_back(
-        { key, key + this->Width + 1, reply.data() + answers * i, from, key[this->Width] != 0 });
+      const bool isOwn = *key >= 0;
+      *key = isOwn ? *key : -1 - *key;
+      this->Entries.push_back({ key, key + this->Width, reply.data() + answers * i, from, isOwn });
     }
   }
   StableSort(this->Entries,
@@ -90,12 +87,10 @@ SharedDirectory::SharedDirectory(
 
 Ids SharedDirectory::TakeAnswers()
 {
-  Partners::Messages messages = PackAll(this->Replies);
-  this->With.Send(messages);
+  this->With.SendLists(this->Replies);
   Ids answers(this->Size * static_cast<std::size_t>(this->Answers), -1);
-  for (const auto& [keeper, message] : messages)
+  for (const auto& [keeper, answer] : this->Replies)
   {
-    const Ids answer = Unpack<vtkIdType>(message);
     auto from = answer.begin();
     for (const vtkIdType place : InTurn(this->Places.at(keeper)))
     {

@@ -6,16 +6,15 @@
 #ifndef SubdivisionObjects_SharedDirectory_h
 #define SubdivisionObjects_SharedDirectory_h
 
+#include "Private/Partitions/OtherPartitions.h"
+
 #include "vtkType.h"
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 namespace subdivision
 {
-
-class Partners;
 
 /// Things by which partitions know each other's points, edges and cells: a key of `Width` ids each,
 /// none of them negative. Equal keys are one thing, and the lexicographic order of keys is that of
@@ -35,7 +34,7 @@ struct SharedKeys
 /**
  * Whoever keeps a thing learns which partitions have it and what they tell of it, and may answer
  * each of them. All partitions make one, and call TakeAnswers, together: an exchange each. 8 bytes
- * are sent for each id of a key and each number that is told, and 8 more for each thing.
+ * are sent for each id of a key and each number that is told or answered.
  */
 class SharedDirectory
 {
@@ -53,7 +52,7 @@ public:
   /// `told`: so many numbers of each thing go to its keeper; `answers`: so many come back. Nobody
   /// keeps a thing whose first id is negative.
   SharedDirectory(const SharedKeys& things, int told, const std::vector<vtkIdType>& numbers,
-    int answers, Partners& partners);
+    int answers, Exchange& exchange);
   SharedDirectory(const SharedDirectory&) = delete;
   SharedDirectory& operator=(const SharedDirectory&) = delete;
 
@@ -74,9 +73,9 @@ public:
   std::vector<vtkIdType> TakeAnswers();
 
 private:
-  using ListsOfIds = std::map<int, std::vector<vtkIdType>>; ///< of each partition
+  using ListsOfIds = Exchange::Lists<vtkIdType>; ///< of each partition
 
-  Partners& With;
+  Exchange& With;
   int Width;
   int Answers;
   std::size_t Size;   ///< how many things this partition has

@@ -4,7 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/CellsToSimplices.h"
 #include "Private/Run/StampFields.h"
@@ -97,21 +97,21 @@ void AnswerNumbers(SharedDirectory& directory, bool haveSizes, Ids& before)
 
 }
 
-SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
+SharedNumbers NumberTogether(const SharedKeys& things, OtherPartitions& others)
 {
   const auto kinds = static_cast<size_t>(things.Kinds);
   const Ids ones(things.Sizes.empty() ? things.Own.size() : 0, 1);
   SharedDirectory directory(
-    things, things.Kinds, ones.empty() ? things.Sizes : ones, things.Kinds, partners);
+    things, things.Kinds, ones.empty() ? things.Sizes : ones, things.Kinds, others);
   SharedNumbers numbers;
   Ids sums(kinds, 0);
   AnswerNumbers(directory, !things.Sizes.empty(), sums);
   Ids before;
   for (const vtkIdType sum : sums)
   {
-    Ids all = partners.Gather(sum);
+    Ids all = others.Gather(sum);
     std::replace(all.begin(), all.end(), vtkIdType(-1), vtkIdType(0));
-    const auto own = all.begin() + partners.GetPartition();
+    const auto own = all.begin() + others.GetPartition();
     before.push_back(std::accumulate(all.begin(), own, vtkIdType(0)));
     numbers.Totals.push_back(std::accumulate(own, all.end(), before.back()));
   }
@@ -121,7 +121,7 @@ SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners)
 }
 
 SharedNumbers NumberTogether(
-  SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, Partners& partners)
+  SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, OtherPartitions& others)
 {
   std::vector<const IdSegment*> varied;
   for (const IdSegments* list : lists)
@@ -145,13 +145,13 @@ SharedNumbers NumberTogether(
       things.Sizes.push_back(segment->CountBefore(thing + 1) - segment->CountBefore(thing));
     }
   }
-  return NumberTogether(things, partners);
+  return NumberTogether(things, others);
 }
 
 void WholeIds::Add(
-  const SharedKeys& things, Partners& partners, const std::vector<vtkIdType>& places)
+  const SharedKeys& things, OtherPartitions& others, const std::vector<vtkIdType>& places)
 {
-  const SharedNumbers numbers = NumberTogether(things, partners);
+  const SharedNumbers numbers = NumberTogether(things, others);
   const std::size_t first = this->Ids.size();
   this->Ids.resize(first + (places.empty() ? numbers.First.size() : 0));
   for (const std::size_t i : InTurn(numbers.First.size()))
@@ -185,13 +185,13 @@ vtkIdType FindWholeIds(
   return WriteIds(list, things, varied, ids->GetPointer(0));
 }
 
-Ids PlaceCells(vtkPointSet* input, Partners& partners)
+Ids PlaceCells(vtkPointSet* input, OtherPartitions& others)
 {
-  Ids places = partners.GetCellIds();
+  Ids places = others.GetCellIds();
   if (auto* surface = vtkPolyData::SafeDownCast(input))
   {
     const vtkIdType last = places.empty() ? 0 : *std::max_element(places.begin(), places.end());
-    const Ids all = partners.Gather(last);
+    const Ids all = others.Gather(last);
     const vtkIdType size = *std::max_element(all.begin(), all.end()) + 1;
     std::array<vtkIdType, 3> ends{ surface->GetNumberOfVerts(), surface->GetNumberOfLines(),
       surface->GetNumberOfPolys() };
@@ -207,7 +207,7 @@ Ids PlaceCells(vtkPointSet* input, Partners& partners)
   return places;
 }
 
-SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partners)
+SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, OtherPartitions& others)
 {
   SharedKeys pieces;
   pieces.Width = 2;
@@ -216,13 +216,13 @@ SharedKeys MakeKeysOfPieces(const Ids& cells, const Ids& places, Partners& partn
     const bool isSame = i > 0 && cells[i] == cells[i - 1];
     pieces.Keys.push_back(places[cells[i]]);
     pieces.Keys.push_back(isSame ? pieces.Keys[pieces.Keys.size() - 2] + 1 : 0);
-    pieces.Own.push_back(partners.IsOwn(cells[i]));
+    pieces.Own.push_back(others.IsOwn(cells[i]));
   }
   return pieces;
 }
 
 SharedKeys MakeKeysOfPieces(
-  const SimplicesOfCells& simplices, const Ids& places, Partners& partners)
+  const SimplicesOfCells& simplices, const Ids& places, OtherPartitions& others)
 {
   Ids cells = simplices.ParentCells;
   if (cells.empty())
@@ -230,7 +230,7 @@ SharedKeys MakeKeysOfPieces(
     cells.resize(static_cast<std::size_t>(simplices.Simplices.GetNumberOfSimplices()));
     std::iota(cells.begin(), cells.end(), vtkIdType(0));
   }
-  return MakeKeysOfPieces(cells, places, partners);
+  return MakeKeysOfPieces(cells, places, others);
 }
 
 std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn)
@@ -253,10 +253,11 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkI
   return own;
 }
 
-std::vector<char> FindOwnPoints(vtkPointSet* mesh, const Ids& inputCells, const Partners& partners)
+std::vector<char> FindOwnPoints(
+  vtkPointSet* mesh, const Ids& inputCells, const OtherPartitions& others)
 {
   return FindOwnPoints(mesh,
-    [&](vtkIdType cell) { return partners.IsOwn(inputCells.empty() ? cell : inputCells[cell]); });
+    [&](vtkIdType cell) { return others.IsOwn(inputCells.empty() ? cell : inputCells[cell]); });
 }
 
 SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces)
@@ -286,27 +287,27 @@ SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const 
   return centres;
 }
 
-WholeIds NumberPoints(vtkIdType points, Partners& partners)
+WholeIds NumberPoints(vtkIdType points, OtherPartitions& others)
 {
   SharedKeys given;
-  const Ids& ids = partners.GetPointIds();
+  const Ids& ids = others.GetPointIds();
   given.Keys.assign(ids.begin(), ids.begin() + points);
   given.Own.assign(given.Keys.size(), 1);
   WholeIds numbers;
-  numbers.Add(given, partners);
+  numbers.Add(given, others);
   return numbers;
 }
 
 WholeIds NumberVertices(
-  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners)
+  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, OtherPartitions& others)
 {
   points = std::min(points, simplices.NumberOfPoints);
-  WholeIds numbers = NumberPoints(points, partners);
-  numbers.Add(MakeCentreKeys(points, simplices, pieces), partners);
+  WholeIds numbers = NumberPoints(points, others);
+  numbers.Add(MakeCentreKeys(points, simplices, pieces), others);
   return numbers;
 }
 
-WholeIds NumberCells(const Ids& places, const Ids& sources, Partners& partners)
+WholeIds NumberCells(const Ids& places, const Ids& sources, OtherPartitions& others)
 {
   SharedKeys inputs;
   IdSegment cells{ 0, 0, { 0 } };
@@ -315,13 +316,13 @@ WholeIds NumberCells(const Ids& places, const Ids& sources, Partners& partners)
     if (c == 0 || sources[c] != sources[c - 1])
     {
       inputs.Keys.push_back(places[sources[c]]);
-      inputs.Own.push_back(partners.IsOwn(sources[c]));
+      inputs.Own.push_back(others.IsOwn(sources[c]));
       cells.Before.push_back(cells.Before.back());
     }
     ++cells.Before.back();
   }
   const IdSegments list{ cells };
-  return std::move(FindWholeIds({ &list }, { NumberTogether(inputs, 0, { &list }, partners) })[0]);
+  return std::move(FindWholeIds({ &list }, { NumberTogether(inputs, 0, { &list }, others) })[0]);
 }
 
 void WholeNumbers::Write(vtkPointSet* output) const

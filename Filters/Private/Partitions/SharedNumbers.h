@@ -37,12 +37,12 @@ struct SharedNumbers
  * send and answers: two exchanges, 8 (Width + 1 + Kinds) bytes there and 8 Kinds bytes back for
  * each thing.
  */
-SharedNumbers NumberTogether(const SharedKeys& things, Partners& partners);
+SharedNumbers NumberTogether(const SharedKeys& things, OtherPartitions& others);
 
 /// The same for control things of a kind, where varied segments (IdSegments.h) are further kinds of
 /// ids, in the order of `lists`.
-SharedNumbers NumberTogether(
-  SharedKeys things, int kind, const std::vector<const IdSegments*>& lists, Partners& partners);
+SharedNumbers NumberTogether(SharedKeys things, int kind,
+  const std::vector<const IdSegments*>& lists, OtherPartitions& others);
 
 /// The ids that things have in the whole mesh; -1 where they have none.
 struct WholeIds
@@ -52,7 +52,8 @@ struct WholeIds
 
   /// Numbers things, of one kind, after all that are there. `places` in Ids; empty: those at the
   /// end.
-  void Add(const SharedKeys& things, Partners& partners, const std::vector<vtkIdType>& places = {});
+  void Add(
+    const SharedKeys& things, OtherPartitions& others, const std::vector<vtkIdType>& places = {});
 };
 
 /// What points and cells of an output are in the whole output.
@@ -74,19 +75,19 @@ vtkIdType FindWholeIds(
 
 /// The place of each cell of an input in the order of the whole mesh. Poly data have their cells
 /// kind by kind. All partitions call it.
-std::vector<vtkIdType> PlaceCells(vtkPointSet* input, Partners& partners);
+std::vector<vtkIdType> PlaceCells(vtkPointSet* input, OtherPartitions& others);
 /// Adds keys to things that are pieces of cells, those of a cell one after the other: the place of
 /// their cell, and which of its pieces they are; and whether the cell is own.
-SharedKeys MakeKeysOfPieces(
-  const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& places, Partners& partners);
+SharedKeys MakeKeysOfPieces(const std::vector<vtkIdType>& cells,
+  const std::vector<vtkIdType>& places, OtherPartitions& others);
 /// The same for the simplices of cells.
 SharedKeys MakeKeysOfPieces(
-  const SimplicesOfCells& simplices, const std::vector<vtkIdType>& places, Partners& partners);
+  const SimplicesOfCells& simplices, const std::vector<vtkIdType>& places, OtherPartitions& others);
 
 /// Which points of an input or output cells use that are made of own input cells; `inputCells`: of
 /// each cell; empty: each is itself.
 std::vector<char> FindOwnPoints(
-  vtkPointSet* mesh, const std::vector<vtkIdType>& inputCells, const Partners& partners);
+  vtkPointSet* mesh, const std::vector<vtkIdType>& inputCells, const OtherPartitions& others);
 /// The same where `isOwn` knows the cells of the mesh.
 std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkIdType)>& isOwn);
 
@@ -95,15 +96,15 @@ std::vector<char> FindOwnPoints(vtkPointSet* mesh, const std::function<bool(vtkI
 SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces);
 
 /// Numbers the points of the input, of which there are at most `points`, by their ids.
-WholeIds NumberPoints(vtkIdType points, Partners& partners);
+WholeIds NumberPoints(vtkIdType points, OtherPartitions& others);
 /// The same for the vertices of simplices that are such pieces: points of the input, of which there
 /// are `points`, then centres in the order in which cells first use them.
-WholeIds NumberVertices(
-  vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces, Partners& partners);
+WholeIds NumberVertices(vtkIdType points, const SimplexView& simplices, const SharedKeys& pieces,
+  OtherPartitions& others);
 /// Numbers the cells of an output, which have the order of the input cells that they are parts of;
 /// `places`: PlaceCells, `sources`: of each its input cell.
-WholeIds NumberCells(
-  const std::vector<vtkIdType>& places, const std::vector<vtkIdType>& sources, Partners& partners);
+WholeIds NumberCells(const std::vector<vtkIdType>& places, const std::vector<vtkIdType>& sources,
+  OtherPartitions& others);
 
 }
 

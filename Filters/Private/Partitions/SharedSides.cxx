@@ -2,7 +2,7 @@
 #include "Private/Partitions/SharedSides.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <algorithm>
 #include <array>
@@ -18,13 +18,13 @@ using Ids = std::vector<vtkIdType>;
 /// Two parts, each by its partition and its number there, and whether they are oriented
 /// differently.
 using PartLink = std::array<vtkIdType, 5>;
-constexpr size_t LinkSize = std::tuple_size<PartLink>::value;
 
 /// The answer for a part of a partition: 0, 1, or that it is not orientable.
 constexpr vtkIdType NotOrientable = 2;
 
 /// The links between parts that have a face in common, found by the keepers of faces.
-std::vector<PartLink> FindLinks(const FaceSides& sides, const SharedKeys& faces, Partners& partners)
+std::vector<PartLink> FindLinks(
+  const FaceSides& sides, const SharedKeys& faces, OtherPartitions& others)
 {
   Ids told;
   for (const size_t f : InTurn(faces.Own.size()))
@@ -32,7 +32,7 @@ std::vector<PartLink> FindLinks(const FaceSides& sides, const SharedKeys& faces,
     told.insert(told.end(), { sides.PartOf[f], sides.Turned[f] });
   }
   std::vector<PartLink> links;
-  SharedDirectory directory(faces, 2, told, 0, partners);
+  SharedDirectory directory(faces, 2, told, 0, others);
   directory.ForThings(
     [&links](auto first, auto last)
     {
@@ -162,37 +162,31 @@ private:
 };
 
 /// The work of the first partition: joins the parts that all have told, and answers each.
-Partners::Messages AnswerAll(
-  const Partners::Messages& parts, const Partners::Messages& links, int width)
+Exchange::Lists<vtkIdType> AnswerAll(
+  const Exchange::Lists<vtkIdType>& parts, const std::vector<PartLink>& links, int width)
 {
   AllParts all(width);
-  for (const auto& [from, message] : parts)
+  for (const auto& [from, told] : parts)
   {
-    all.Add(from, Unpack<vtkIdType>(message));
+    all.Add(from, told);
   }
-  for (const auto& [from, message] : links)
+  for (const PartLink& link : links)
   {
-    const Ids ids = Unpack<vtkIdType>(message);
-    for (size_t i = 0; i < ids.size(); i += LinkSize)
-    {
-      PartLink link;
-      std::copy_n(ids.begin() + static_cast<std::ptrdiff_t>(i), LinkSize, link.begin());
-      all.Join(link);
-    }
+    all.Join(link);
   }
-  Partners::Messages answers;
-  for (const auto& [from, message] : parts)
+  Exchange::Lists<vtkIdType> answers;
+  for (const auto& [from, told] : parts)
   {
-    answers[from] = Pack(all.Answer(from, all.CountParts(Unpack<vtkIdType>(message))));
+    answers[from] = all.Answer(from, all.CountParts(told));
   }
   return answers;
 }
 
 }
 
-std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners* partners)
+std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const OtherPartitions* others)
 {
-  if (!partners)
+  if (!others)
   {
     return {};
   }
@@ -201,7 +195,7 @@ std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners
   for (const std::size_t s : InTurn(cells.Simplices.Dimensions.size()))
   {
     const bool isOwn =
-      partners->IsOwn(cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
+      others->IsOwn(cells.ParentCells.empty() ? static_cast<vtkIdType>(s) : cells.ParentCells[s]);
     for (int k = 0; k <= cells.Simplices.Dimensions[s]; ++k, ++vertex)
     {
       isSure[*vertex] = isSure[*vertex] || isOwn;
@@ -210,31 +204,24 @@ std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners
   return isSure;
 }
 
-Buffer<unsigned char> JoinSides(const FaceSides& sides, const SharedKeys& faces, Partners& partners)
+Buffer<unsigned char> JoinSides(
+  const FaceSides& sides, const SharedKeys& faces, OtherPartitions& others)
 {
-  if (partners.Sum(sides.Contradict ? 1 : 0) == 0)
+  if (others.Sum(sides.Contradict ? 1 : 0) == 0)
   {
     return Buffer<unsigned char>();
   }
-  Ids flat;
-  for (const PartLink& link : FindLinks(sides, faces, partners))
+  std::vector<PartLink> links = FindLinks(sides, faces, others);
+  const int first = others.FindFirst();
+  Exchange::Lists<vtkIdType> parts{ { first, DescribeParts(sides, faces) } };
+  others.SendLists(parts);
+  others.BringTo(first, links);
+  if (others.GetPartition() == first)
   {
-    flat.insert(flat.end(), link.begin(), link.end());
+    parts = AnswerAll(parts, links, faces.Width);
   }
-  const int first = partners.FindFirst();
-  Partners::Messages parts;
-  Partners::Messages links;
-  parts[first] = Pack(DescribeParts(sides, faces));
-  links[first] = Pack(flat);
-  partners.Send(parts);
-  partners.Send(links);
-  Partners::Messages answers;
-  if (partners.GetPartition() == first)
-  {
-    answers = AnswerAll(parts, links, faces.Width);
-  }
-  partners.Send(answers);
-  const Ids answer = Unpack<vtkIdType>(answers[first]);
+  others.SendLists(parts);
+  const Ids& answer = parts[first];
   Buffer<unsigned char> turned(static_cast<vtkIdType>(faces.Own.size()));
   for (const vtkIdType f : InTurn(turned.size()))
   {

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedSides_h
 
 #include "Core/Operators/FaceSides.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedDirectory.h"
 #include "Private/Reading/CellsToSimplices.h"
 
@@ -17,8 +17,8 @@ namespace subdivision
 {
 
 /// Vertices whose cells are all known: vertices of own cells. Empty: all are, as there are no
-/// partners.
-std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners* partners);
+/// others.
+std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const OtherPartitions* others);
 
 /**
  * Which faces are turned, from the sides that this partition finds; empty if no partition has faces
@@ -31,7 +31,7 @@ std::vector<char> FindSureVertices(const SimplicesOfCells& cells, const Partners
  * about 50 for each two parts that share any; where all are oriented alike, one sum.
  */
 Buffer<unsigned char> JoinSides(
-  const FaceSides& sides, const SharedKeys& faces, Partners& partners);
+  const FaceSides& sides, const SharedKeys& faces, OtherPartitions& others);
 
 }
 

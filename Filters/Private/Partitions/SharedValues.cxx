@@ -2,10 +2,7 @@
 #include "Private/Partitions/SharedValues.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Partitions/Partners.h"
 
-#include <algorithm>
-#include <cstring>
 #include <numeric>
 
 namespace subdivision
@@ -17,11 +14,11 @@ using Ids = std::vector<vtkIdType>;
 
 /// Of each thing that is not own, the first partition that has it as own, and which of its things
 /// it is there; else -1 twice.
-Ids FindOwners(const SharedKeys& things, Partners& partners)
+Ids FindOwners(const SharedKeys& things, Exchange& exchange)
 {
   Ids places(things.Own.size());
   std::iota(places.begin(), places.end(), vtkIdType(0));
-  SharedDirectory directory(things, 1, places, 2, partners);
+  SharedDirectory directory(things, 1, places, 2, exchange);
   directory.ForThings(
     [](auto first, auto last)
     {
@@ -40,50 +37,24 @@ Ids FindOwners(const SharedKeys& things, Partners& partners)
 
 }
 
-SharedValues::SharedValues(const SharedKeys& things, Partners& partners)
-  : With(partners)
+SharedValues::SharedValues(const SharedKeys& things, Exchange& exchange)
+  : SharedValues(FindOwners(things, exchange), exchange)
 {
-  const Ids owners = FindOwners(things, partners);
-  Things wanted;
-  for (const size_t i : InTurn(things.Own.size()))
+}
+
+SharedValues::SharedValues(const Ids& owners, Exchange& exchange)
+  : With(exchange)
+{
+  for (const std::size_t i : InTurn(owners.size() / 2))
   {
     if (owners[2 * i] >= 0)
     {
       const int owner = static_cast<int>(owners[2 * i]);
       this->In[owner].push_back(static_cast<vtkIdType>(i));
-      wanted[owner].push_back(owners[2 * i + 1]);
+      this->Out[owner].push_back(owners[2 * i + 1]);
     }
   }
-  Partners::Messages messages = PackAll(wanted);
-  partners.Send(messages);
-  for (const auto& [from, message] : messages)
-  {
-    this->Out[from] = Unpack<vtkIdType>(message);
-  }
-}
-
-void SharedValues::TakeOthers(double* values, int components)
-{
-  const size_t size = static_cast<size_t>(components) * sizeof(double);
-  Partners::Messages messages;
-  for (const auto& [to, things] : this->Out)
-  {
-    std::vector<char>& message = messages[to];
-    message.resize(size * things.size());
-    for (size_t i = 0; i < things.size(); ++i)
-    {
-      std::memcpy(message.data() + size * i, values + components * things[i], size);
-    }
-  }
-  this->With.Send(messages);
-  for (const auto& [from, things] : this->In)
-  {
-    const std::vector<char>& message = messages.at(from);
-    for (size_t i = 0; i < things.size(); ++i)
-    {
-      std::memcpy(values + components * things[i], message.data() + size * i, size);
-    }
-  }
+  exchange.SendLists(this->Out); // what this one wants becomes what others want
 }
 
 }

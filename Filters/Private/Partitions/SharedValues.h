@@ -8,31 +8,59 @@
 
 #include "Private/Partitions/SharedDirectory.h"
 
-#include <map>
+#include <algorithm>
+#include <vector>
 
 namespace subdivision
 {
 
 /**
  * Each partition computes the values of its own things right, and takes the values of all others
- * from the first partition that has them as own.
+ * from their owners: the first partition that has the thing as own.
  *
  * All partitions make this, and call its functions, together. A directory finds the owners: three
- * exchanges, 8 Width + 40 bytes for each thing. TakeOthers is one exchange.
+ * exchanges, 8 Width + 32 bytes for each thing. TakeOthers is one exchange.
  */
 class SharedValues
 {
 public:
-  SharedValues(const SharedKeys& things, Partners& partners);
+  SharedValues(const SharedKeys& things, Exchange& exchange);
+  /// `owners`: of each thing its owner, and which of the owner's things it is; -1 twice: its value
+  /// stays. One exchange.
+  SharedValues(const std::vector<vtkIdType>& owners, Exchange& exchange);
 
   /// Replaces the values of things that are not own, `components` numbers for each thing. Values
   /// that no partition has as own stay.
-  void TakeOthers(double* values, int components);
+  template <typename T>
+  void TakeOthers(T* values, int components)
+  {
+    const auto size = static_cast<std::size_t>(components);
+    Exchange::Lists<T> lists;
+    for (const auto& [to, things] : this->Out)
+    {
+      std::vector<T>& list = lists[to];
+      list.reserve(size * things.size());
+      for (const vtkIdType thing : things)
+      {
+        list.insert(list.end(), values + size * thing, values + size * (thing + 1));
+      }
+    }
+    this->With.SendLists(lists);
+    for (const auto& [from, things] : this->In)
+    {
+      auto next = lists.at(from).begin();
+      for (const vtkIdType thing : things)
+      {
+        std::copy_n(next, size, values + size * thing);
+        next += static_cast<std::ptrdiff_t>(size);
+      }
+    }
+  }
 
 private:
-  using Things = std::map<int, std::vector<vtkIdType>>; ///< for each partition, in a common order
+  using Things = Exchange::Lists<vtkIdType>; ///< for each partition, in a common order
 
-  Partners& With;
+  Exchange& With;
   Things Out;
   Things In;
 };

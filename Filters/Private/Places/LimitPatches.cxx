@@ -4,7 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/UnevenRanges.h"
 #include "Core/Solids/Location/CurveOrder.h"
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 #include "Private/Places/LimitPatchShape.h"
 #include "Private/Places/PlaceScore.h"
 

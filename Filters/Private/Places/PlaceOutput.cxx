@@ -2,7 +2,7 @@
 #include "Private/Places/PlaceOutput.h"
 
 #include "Core/Memory/Loops.h"
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Run/RunOptions.h"

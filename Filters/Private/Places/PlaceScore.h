@@ -7,7 +7,7 @@
 #define SubdivisionObjects_PlaceScore_h
 
 #include "Core/Solids/Location/Box.h"
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 
 #include <algorithm>
 #include <cmath>

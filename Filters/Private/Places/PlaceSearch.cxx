@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Places/PlaceSearch.h"
 
-#include "Core/Solids/Location/Vectors.h"
+#include "Core/Memory/Vectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -15,7 +15,7 @@ namespace subdivision
 
 template <typename Id>
 RedGreenNormals<Id>::RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh,
-  const Coordinates& points, const RedGreenLimit<Id>& limit, Partners* others)
+  const Coordinates& points, const RedGreenLimit<Id>& limit, OtherPartitions* others)
 {
   SimplicesOfCells cells = mesh.Cells;
   cells.TakeIds(); // the ids may still be those of the input's cells
@@ -35,7 +35,7 @@ RedGreenNormals<Id>::RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh
 /// The complex has those of equal vertices once, in the place of the first.
 template <typename Id>
 SharedKeys RedGreenNormals<Id>::MakeTriangleKeys(vtkPointSet* input, const SimplicesOfCells& cells,
-  const SimplicialComplex<Id>& complex, Partners& others)
+  const SimplicialComplex<Id>& complex, OtherPartitions& others)
 {
   const SharedKeys pieces = MakeKeysOfPieces(cells, PlaceCells(input, others), others);
   SharedKeys keys;

@@ -16,7 +16,7 @@ class vtkPointSet;
 namespace subdivision
 {
 
-class Partners;
+class OtherPartitions;
 
 template <typename Id>
 class RedGreenNormals
@@ -25,7 +25,7 @@ public:
   /// Finds on which side normals are: `mesh` is what was read from `input`, and `points` are its
   /// given coordinates. All partitions call it together; null: there are no others.
   RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh, const Coordinates& points,
-    const RedGreenLimit<Id>& limit, Partners* others);
+    const RedGreenLimit<Id>& limit, OtherPartitions* others);
 
   /// The normals of the vertices of an operator that was made for normals, three numbers each, from
   /// the coordinates of the control vertices.
@@ -33,7 +33,7 @@ public:
 
 private:
   static SharedKeys MakeTriangleKeys(vtkPointSet* input, const SimplicesOfCells& cells,
-    const SimplicialComplex<Id>& complex, Partners& others);
+    const SimplicialComplex<Id>& complex, OtherPartitions& others);
 
   std::vector<vtkIdType> Inverted;
   Buffer<unsigned char> Turned;

@@ -6,7 +6,7 @@
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/OpenSplits.h"
 #include "Private/RedGreen/RedGreenNormals.h"
@@ -176,7 +176,7 @@ void RedGreenRun::Interpolate(RedGreenLimit<Id>& limit)
       [this](const std::string& warning) { this->Warn(warning); });
   }
   const bool isOwn = this->Options.Interpolation.IsOn() && !control.IsStamped;
-  if (!AgreeWithOthers(isOwn, this->Input, this->Options))
+  if (!AgreeWithOthers(isOwn, this->Options))
   {
     return;
   }
@@ -213,7 +213,7 @@ namespace
 /// edges. `own`: of each vertex, whether it belongs to an own cell.
 template <typename Id>
 void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
-  const std::vector<char>& own, Partners& partners, WholeIds& points)
+  const std::vector<char>& own, OtherPartitions& others, WholeIds& points)
 {
   SharedKeys midpoints;
   midpoints.Width = 2;
@@ -225,7 +225,7 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
     midpoints.Keys.push_back(std::max<vtkIdType>(most, 0));
     midpoints.Own.push_back(own[vertex] && least >= 0);
   }
-  points.Add(midpoints, partners, { vertices.begin(), vertices.end() });
+  points.Add(midpoints, others, { vertices.begin(), vertices.end() });
 }
 
 /// Numbers the output of a state whose vertices are sorted; `simplices`: of which each cell is a
@@ -233,26 +233,26 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
 /// of 32 bytes for each vertex.
 template <typename Id>
 WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
-  const std::vector<vtkIdType>& simplices, Partners& partners, vtkUnstructuredGrid* output)
+  const std::vector<vtkIdType>& simplices, OtherPartitions& others, vtkUnstructuredGrid* output)
 {
   std::vector<vtkIdType> sources;
   for (const vtkIdType simplex : InTurn(simplices))
   {
     sources.push_back(mesh.GetInputCell(simplex));
   }
-  const std::vector<vtkIdType> places = PlaceCells(input, partners);
+  const std::vector<vtkIdType> places = PlaceCells(input, others);
   WholeNumbers numbers;
-  numbers.Cells = NumberCells(places, sources, partners);
-  const std::vector<char> own = FindOwnPoints(output, sources, partners);
+  numbers.Cells = NumberCells(places, sources, others);
+  const std::vector<char> own = FindOwnPoints(output, sources, others);
   numbers.Points = NumberVertices(input->GetNumberOfPoints(), mesh.Control.Cells.GetView(),
-    MakeKeysOfPieces(mesh.Control.Cells, places, partners), partners);
+    MakeKeysOfPieces(mesh.Control.Cells, places, others), others);
   numbers.Points.Ids.resize(static_cast<std::size_t>(state.GetNumberOfVertices()), -1);
   std::vector<std::vector<Id>> added = ListByHalvings(state);
-  const auto halvings = partners.Gather(static_cast<vtkIdType>(added.size()));
+  const auto halvings = others.Gather(static_cast<vtkIdType>(added.size()));
   added.resize(static_cast<std::size_t>(*std::max_element(halvings.begin(), halvings.end())));
   for (const std::vector<Id>& vertices : added)
   {
-    NumberMidpoints(vertices, state, own, partners, numbers.Points);
+    NumberMidpoints(vertices, state, own, others, numbers.Points);
   }
   return numbers;
 }
@@ -279,8 +279,7 @@ bool RedGreenRun::Refine()
     return false;
   }
   this->MakePoints(state, limit);
-  TellOvershoot(
-    *this->Points, this->Options, this->Input, this->Output, this->Options.LimitPlacement);
+  TellOvershoot(*this->Points, this->Options, this->Output, this->Options.LimitPlacement);
   RebuildPointGhosts(this->Input, this->Output);
   WholeNumbers whole;
   if (this->Others)
@@ -335,7 +334,7 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
 bool RefineRedGreen(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
 {
   RedGreenOptions own = options;
-  if (Partners* others = FindPartners(options, input))
+  if (OtherPartitions* others = options.Others)
   {
     own.Criteria.FindLargest = [others](std::vector<double>& values)
     { others->FindLargest(values); };

@@ -28,7 +28,7 @@ public:
   RedGreenRun(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
     : Input(input)
     , Options(options)
-    , Others(FindPartners(options, input))
+    , Others(options.Others)
     , Output(output)
   {
   }
@@ -85,7 +85,7 @@ private:
 
   vtkPointSet* Input;
   const RedGreenOptions& Options;
-  Partners* Others; ///< null: the input is the whole mesh
+  OtherPartitions* Others; ///< null: the input is the whole mesh
   vtkUnstructuredGrid* Output;
   RedGreenMesh Mesh;
   std::unique_ptr<PointArrays> Points;

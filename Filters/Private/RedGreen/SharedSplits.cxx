@@ -6,12 +6,11 @@
 #include "Core/Memory/Sorting.h"
 
 #include <algorithm>
-#include <map>
 
 namespace subdivision
 {
 
-std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& partners)
+std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const OtherPartitions& others)
 {
   const SimplexView view = mesh.GetView();
   const SimplexStarts places = FindCorners(view);
@@ -23,7 +22,7 @@ std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& part
   {
     for (const vtkIdType point : points(i))
     {
-      isOfOwn[point] = isOfOwn[point] || partners.IsOwn(mesh.GetInputCell(i));
+      isOfOwn[point] = isOfOwn[point] || others.IsOwn(mesh.GetInputCell(i));
     }
   }
   std::vector<CellScope> scopes(size, CellScope::Ignored);
@@ -39,7 +38,7 @@ std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& part
         std::any_of(own.begin(), own.end(), [&](vtkIdType point) { return isOfOwn[point] != 0; });
       scope = isBeside ? CellScope::Copied : scope;
     }
-    scope = partners.IsOwn(cell) ? CellScope::Own : scope;
+    scope = others.IsOwn(cell) ? CellScope::Own : scope;
     std::fill(scopes.begin() + begin, scopes.begin() + end, scope);
     begin = end;
   }
@@ -47,10 +46,10 @@ std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& part
 }
 
 template <typename Id>
-SharedSplits<Id>::SharedSplits(const RedGreenMesh& mesh, Partners& partners)
+SharedSplits<Id>::SharedSplits(const RedGreenMesh& mesh, OtherPartitions& others)
   : Mesh(mesh)
-  , Others(partners)
-  , NumberOfPoints(static_cast<Id>(partners.GetPointIds().size()))
+  , Others(others)
+  , NumberOfPoints(static_cast<Id>(others.GetPointIds().size()))
 {
   this->NameCentres();
 }
@@ -146,10 +145,10 @@ void SharedSplits<Id>::NameNew(const RedGreen<Id>& state)
 
 /// The splits that no other partition was told of, for those that have copies of the cells.
 template <typename Id>
-Partners::Messages SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
+typename SharedSplits<Id>::Splits SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
 {
   this->NameNew(state);
-  std::map<int, std::vector<Split>> splits;
+  Splits splits;
   std::vector<int> to;
   this->NextToSend = std::max(this->NextToSend, state.GetNumberOfInputVertices());
   for (; this->NextToSend < state.GetNumberOfVertices(); ++this->NextToSend)
@@ -172,16 +171,16 @@ Partners::Messages SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
       splits[partition].push_back({ { this->GetName(ends[0]), this->GetName(ends[1]) } });
     }
   }
-  return PackAll(splits);
+  return splits;
 }
 
 /// Splits the edges that others have split. A sender names the ends of an edge before the edge.
 template <typename Id>
-void SharedSplits<Id>::Receive(const Partners::Messages& messages, RedGreen<Id>& state)
+void SharedSplits<Id>::Receive(const Splits& splits, RedGreen<Id>& state)
 {
-  for (const auto& [from, message] : messages)
+  for (const auto& [from, list] : splits)
   {
-    for (const Split& split : Unpack<Split>(message))
+    for (const Split& split : list)
     {
       const Id ends[2] = { this->Find(split.Ends[0]), this->Find(split.Ends[1]) };
       if (ends[0] >= 0 && ends[1] >= 0 && state.SplitEdge(ends[0], ends[1]))
@@ -198,12 +197,12 @@ void SharedSplits<Id>::Close(RedGreen<Id>& state)
   for (;;)
   {
     state.Propagate();
-    Partners::Messages messages = this->TakeNew(state);
-    if (!this->Others.Send(messages))
+    Splits splits = this->TakeNew(state);
+    if (!this->Others.SendLists(splits))
     {
       break;
     }
-    this->Receive(messages, state);
+    this->Receive(splits, state);
   }
   state.Close();
 }

@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedSplits_h
 
 #include "Core/Solids/RedGreen/RedGreen.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/RedGreen/RedGreenMesh.h"
 
 #include <cstdint>
@@ -20,7 +20,7 @@ namespace subdivision
 
 /// What the state of a partition does with each simplex: own cells count, cells that share a point
 /// with them are split too, so that errors at own edges have all their triangles, all others stay.
-std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const Partners& partners);
+std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const OtherPartitions& others);
 
 /**
  * Passes on splits between the states of the partitions. Each sends the new midpoints in its own
@@ -36,7 +36,7 @@ template <typename Id>
 class SharedSplits
 {
 public:
-  SharedSplits(const RedGreenMesh& mesh, Partners& partners);
+  SharedSplits(const RedGreenMesh& mesh, OtherPartitions& others);
 
   /// Ends a round of the state, as RedGreen::Close does.
   void Close(RedGreen<Id>& state);
@@ -70,11 +70,12 @@ private:
   Name GetName(Id vertex) const;
   Id Find(const Name& name) const;
   void NameNew(const RedGreen<Id>& state);
-  Partners::Messages TakeNew(const RedGreen<Id>& state);
-  void Receive(const Partners::Messages& messages, RedGreen<Id>& state);
+  using Splits = Exchange::Lists<Split>;
+  Splits TakeNew(const RedGreen<Id>& state);
+  void Receive(const Splits& splits, RedGreen<Id>& state);
 
   const RedGreenMesh& Mesh;
-  Partners& Others;
+  OtherPartitions& Others;
   Id NumberOfPoints;
   Id NextToSend = -1;
   std::vector<Name> Names; ///< of centres and new vertices

@@ -15,14 +15,12 @@
 #include <string>
 #include <vector>
 
-class vtkPointSet;
-
 namespace subdivision
 {
 
 class KeptEntries;
 class MatrixFactors;
-class Partners;
+class OtherPartitions;
 class ToldWarnings;
 struct CellSplits;
 struct PlaceRequest;
@@ -57,9 +55,8 @@ struct RunOptions
   std::function<void(const std::string&)> Warn;
   ToldWarnings* Told = nullptr; ///< warnings of earlier time steps; null: nobody knows
   std::function<void(const std::string&)> Fail;
-  /// The other partitions of the mesh of which the work gets a part, here its argument; null, or
-  /// returns null, if it gets all.
-  std::function<Partners*(vtkPointSet*)> FindPartners;
+  /// The other partitions of the mesh of which the work gets a part; null: it gets all.
+  OtherPartitions* Others = nullptr;
   /// How many layers of fine cells of other partitions around its own the output of a part needs.
   int GhostLayers = 0;
   /// Where the operator from points of the input to points of the output goes as a matrix; null:
@@ -87,11 +84,6 @@ struct LevelOptions : RunOptions
 
   bool ReadsLimit() const { return this->ProjectToLimit || this->HasFrames(); }
 };
-
-inline Partners* FindPartners(const RunOptions& options, vtkPointSet* mesh)
-{
-  return options.FindPartners ? options.FindPartners(mesh) : nullptr;
-}
 
 /// Starts the points of an input and their arrays; `cells` and `globalIds`, which have to live on,
 /// as in PointArrays. `isContinued`: an earlier filter of this kind made the input. `replaced`:

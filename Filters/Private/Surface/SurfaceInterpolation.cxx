@@ -49,7 +49,7 @@ void SurfaceRun<Id>::MakeControl(
 template <typename Id>
 void SurfaceRun<Id>::Interpolate()
 {
-  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
+  this->Solves = AgreeWithOthers(this->Interpolates(), this->Options);
   if (!this->Solves)
   {
     return;
@@ -70,7 +70,7 @@ void SurfaceRun<Id>::Interpolate()
         control.GetLimit(LimitKind::Position).Store(), options, limits, this->Options.Warn);
     }
   };
-  if (AgreeWithOthers(!this->JoinedControl, this->Input, this->Options))
+  if (AgreeWithOthers(!this->JoinedControl, this->Options))
   {
     solve(*this->Control, true, true);
     return;

@@ -4,7 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedSides.h"
 #include "Private/Reading/UnusedPoints.h"
 
@@ -16,11 +16,11 @@ namespace subdivision
 {
 using Kinds = SurfaceSegments;
 
-SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners)
+SharedKeys MakeVertexKeys(vtkPolyData* input, const OtherPartitions& others)
 {
   SharedKeys vertices;
-  vertices.Keys = partners.GetPointIds();
-  vertices.Own = FindOwnPoints(input, {}, partners);
+  vertices.Keys = others.GetPointIds();
+  vertices.Own = FindOwnPoints(input, {}, others);
   for (const vtkIdType unused : FindUnusedPoints(input))
   {
     vertices.Own[unused] = 1;
@@ -57,32 +57,32 @@ SharedKeys MakeEdgeKeys(const SurfaceLevel<Id>& control, const SharedKeys& faces
   return edges;
 }
 
-ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners)
+ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, OtherPartitions& others)
 {
-  const std::vector<vtkIdType> places = PlaceCells(input, partners);
+  const std::vector<vtkIdType> places = PlaceCells(input, others);
   ControlKeys keys;
-  keys[Kinds::Vertex] = MakeVertexKeys(input, partners);
+  keys[Kinds::Vertex] = MakeVertexKeys(input, others);
   keys[Kinds::Vertex].Keys.resize(static_cast<size_t>(cells.NumberOfPoints));
   keys[Kinds::Vertex].Own.resize(keys[Kinds::Vertex].Keys.size());
-  keys[Kinds::Face] = MakeKeysOfPieces(cells.FaceCells, places, partners);
-  keys[Kinds::Line] = MakeKeysOfPieces(cells.SegmentCells, places, partners);
-  keys[VertexCellKind] = MakeKeysOfPieces(cells.VertexCells, places, partners);
+  keys[Kinds::Face] = MakeKeysOfPieces(cells.FaceCells, places, others);
+  keys[Kinds::Line] = MakeKeysOfPieces(cells.SegmentCells, places, others);
+  keys[VertexCellKind] = MakeKeysOfPieces(cells.VertexCells, places, others);
   return keys;
 }
 
 template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
-  const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners)
+  const PolygonMesh<Id>& mesh, const ControlKeys& keys, OtherPartitions& others)
 {
   const SharedKeys& vertices = keys[Kinds::Vertex]; // all faces at own ones are known
   const auto links = LinkFaces(
     mesh, [&vertices](Id vertex) { return vertices.Own[static_cast<size_t>(vertex)] != 0; });
-  return JoinSides(FindSides(mesh.NumberOfFaces, links), keys[Kinds::Face], partners);
+  return JoinSides(FindSides(mesh.NumberOfFaces, links), keys[Kinds::Face], others);
 }
 
 template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
-  const SurfaceSegments& segments, Partners& partners)
+  const SurfaceSegments& segments, OtherPartitions& others)
 {
   IdSegments ofCells{ { VertexCellKind, 1, {} } };
   ofCells.insert(ofCells.end(), segments.Lines.begin(), segments.Lines.end());
@@ -97,7 +97,7 @@ SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
       keys[kind] =
         MakeEdgeKeys(control, keys[Kinds::Face], keys[Kinds::Line], things[Kinds::Vertex]);
     }
-    things[kind] = NumberTogether(keys[kind], kind, lists, partners);
+    things[kind] = NumberTogether(keys[kind], kind, lists, others);
   }
   std::vector<WholeIds> found = FindWholeIds(lists, things);
   numbers.Points = std::move(found[0]);
@@ -109,8 +109,8 @@ SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
 SUBDIVISION_COMPILE_FUNCTION(MakeEdgeKeys);
 SUBDIVISION_COMPILE_FUNCTION(FindTurnedOfPart);
 template SurfaceNumbers NumberSurface(
-  ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, Partners&);
+  ControlKeys, const SurfaceLevel<int>&, const SurfaceSegments&, OtherPartitions&);
 template SurfaceNumbers NumberSurface(
-  ControlKeys, const SurfaceLevel<long long>&, const SurfaceSegments&, Partners&);
+  ControlKeys, const SurfaceLevel<long long>&, const SurfaceSegments&, OtherPartitions&);
 
 }

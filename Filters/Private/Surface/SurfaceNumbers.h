@@ -37,20 +37,20 @@ struct SurfaceNumbers : WholeNumbers
  */
 template <typename Id>
 SurfaceNumbers NumberSurface(ControlKeys keys, const SurfaceLevel<Id>& control,
-  const SurfaceSegments& segments, Partners& partners);
+  const SurfaceSegments& segments, OtherPartitions& others);
 
-/// The control parts that are points and cells of `input`, the mesh that `partners` know; `cells`
+/// The control parts that are points and cells of `input`, the mesh that `others` know; `cells`
 /// are its cells. All partitions call this together.
-ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, Partners& partners);
+ControlKeys MakeControlKeys(vtkPolyData* input, const SurfaceCells& cells, OtherPartitions& others);
 
 /// The turned faces (FindTurnedFaces) of a control level, as in the whole surface. All partitions
 /// call this together.
 template <typename Id>
 Buffer<unsigned char> FindTurnedOfPart(
-  const PolygonMesh<Id>& mesh, const ControlKeys& keys, Partners& partners);
+  const PolygonMesh<Id>& mesh, const ControlKeys& keys, OtherPartitions& others);
 
 /// The points of the input as keys, by their ids: sure are points of own cells and of none.
-SharedKeys MakeVertexKeys(vtkPolyData* input, const Partners& partners);
+SharedKeys MakeVertexKeys(vtkPolyData* input, const OtherPartitions& others);
 /// Edges as keys, by the numbers of their vertices, in whose order they are: sure are edges of own
 /// faces and lines.
 template <typename Id>

@@ -6,7 +6,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Run/StampFields.h"
 
 #include "vtkDoubleArray.h"
@@ -46,7 +46,7 @@ void SurfaceRun<Id>::KeepControlCoordinates()
   {
     this->ControlCoordinates.insert(this->ControlCoordinates.end(), point + 1, point + 4);
   }
-  if (left.empty() && this->Scheme->HalvesEdges() && FindPartners(this->Options, this->Input))
+  if (left.empty() && this->Scheme->HalvesEdges() && this->Options.Others)
   {
     const double* points = this->Points->GetCoordinates();
     this->ControlCoordinates.assign(points, points + 3 * this->Cells.NumberOfPoints);
@@ -67,7 +67,7 @@ SurfaceLevel<Id> SurfaceRun<Id>::MakeFirstLevel(const SurfaceCells& control) con
 /// The turned faces of the control mesh, with or without seams.
 template <typename Id>
 Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
-  const PolygonMesh<Id>& mesh, Partners& others) const
+  const PolygonMesh<Id>& mesh, OtherPartitions& others) const
 {
   ControlKeys keys = MakeControlKeys(this->Input, this->GetControl(), others);
   std::vector<char>& isSure = keys[SurfaceSegments::Vertex].Own;
@@ -85,7 +85,7 @@ Buffer<unsigned char> SurfaceRun<Id>::FindTurnedOfPart(
 /// cannot go on, it is told so, and warns. With a scheme that does not halve edges cells of a part
 /// do not show the control mesh: the stamp then has no levels, and the numbers alone are left.
 template <typename Id>
-void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
+void SurfaceRun<Id>::WriteStampOfPart(OtherPartitions& others, bool isLevel)
 {
   subdivision::Stamp stamp;
   stamp.Scheme = GetStampScheme(this->Options.Scheme);
@@ -113,7 +113,8 @@ void SurfaceRun<Id>::WriteStampOfPart(Partners& others, bool isLevel)
 
 /// Writes the control points of own cells and the creases between them.
 template <typename Id>
-void SurfaceRun<Id>::WriteControlPoints(const SurfaceNumbers& numbers, const Partners& others)
+void SurfaceRun<Id>::WriteControlPoints(
+  const SurfaceNumbers& numbers, const OtherPartitions& others)
 {
   const std::vector<char> own = FindOwnPoints(this->Input, {}, others);
   const std::vector<vtkIdType>& ids = numbers.Points.Ids;

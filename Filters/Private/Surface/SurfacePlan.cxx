@@ -10,7 +10,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/OpenPoints.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,7 +24,7 @@ template <typename Id>
 bool SurfaceRun<Id>::Plan()
 {
   this->Marked = FindMarkedEdges(this->Input, this->Options.Features.Marks, this->Options.Warn);
-  Partners* others = FindPartners(this->Options, this->Input);
+  OtherPartitions* others = this->Options.Others;
   const bool isMarked =
     others ? others->Sum(this->Marked.Points.empty() ? 0 : 1) > 0 : !this->Marked.Points.empty();
   const bool isStamped = !isMarked && this->ReadStamp();
@@ -156,7 +156,7 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
       static_cast<double>(cells.GetNumberOfFaces()), static_cast<double>(cells.Corners.size()), 1);
   if (!this->Options.Splits || this->MadeLevels > 0 || this->Options.HasFrames() ||
     this->Options.Factors || this->Options.HasMaterialFields || this->Joined ||
-    &cells == &this->JoinedMesh.Cells || FindPartners(this->Options, this->Input) ||
+    &cells == &this->JoinedMesh.Cells || this->Options.Others ||
     children != static_cast<double>(this->Options.Splits->Flags[0].size()))
   {
     return 0;
@@ -363,7 +363,7 @@ template <typename Id>
 Buffer<unsigned char> SurfaceRun<Id>::FindTurned(const SurfaceSteps<Id>& steps) const
 {
   const PolygonMesh<Id>& mesh = steps.GetLevel(0).Mesh;
-  Partners* others = FindPartners(this->Options, this->Input);
+  OtherPartitions* others = this->Options.Others;
   return SpreadTurned(
     steps, others ? this->FindTurnedOfPart(mesh, *others) : FindTurnedFaces(mesh));
 }

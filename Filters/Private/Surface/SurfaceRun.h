@@ -133,8 +133,8 @@ private:
   // Parts of a surface (SurfaceParts.cxx).
   void KeepControlCoordinates();
   SurfaceLevel<Id> MakeFirstLevel(const SurfaceCells& control) const;
-  void WriteStampOfPart(Partners& others, bool isLevel);
-  void WriteControlPoints(const SurfaceNumbers& numbers, const Partners& others);
+  void WriteStampOfPart(OtherPartitions& others, bool isLevel);
+  void WriteControlPoints(const SurfaceNumbers& numbers, const OtherPartitions& others);
   void WarnOfPartsAfresh() const;
   int GetAllLevels() const { return this->MadeLevels + this->Options.Levels; }
 
@@ -209,7 +209,8 @@ private:
     std::vector<vtkIdType>& missing);
   Buffer<unsigned char> FindTurned(const SurfaceSteps<Id>& steps) const;
   // Parts (SurfaceParts.cxx).
-  Buffer<unsigned char> FindTurnedOfPart(const PolygonMesh<Id>& mesh, Partners& others) const;
+  Buffer<unsigned char> FindTurnedOfPart(
+    const PolygonMesh<Id>& mesh, OtherPartitions& others) const;
   TangentPairs FindFrames(
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
   {

@@ -5,7 +5,7 @@
 #include "Core/Memory/Ids.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Values/SharedInterpolation.h"
 
@@ -23,7 +23,7 @@ template <typename Id>
 bool SurfaceRun<Id>::ForgetsLevels() const
 {
   return !this->Kept && this->Input->GetCellData()->GetNumberOfArrays() == 0 &&
-    !this->Options.GenerateOriginalIds && !this->Options.FindPartners;
+    !this->Options.GenerateOriginalIds && !this->Options.Others;
 }
 
 /// Leaves the cells out that do not go on: vertices, and lines of which no part does.
@@ -128,8 +128,7 @@ void SurfaceRun<Id>::Write()
   RebuildPointGhosts(this->Input, this->Output);
   if (!this->IsNarrow()) // the whole, which was made before, told of all points
   {
-    TellOvershoot(
-      *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+    TellOvershoot(*this->Points, this->Options, this->Output, this->Options.ProjectToLimit);
   }
   this->WriteStamp();
 }
@@ -166,7 +165,7 @@ void SurfaceRun<Id>::WriteStamp()
   SurfaceStamp stamp;
   stamp.Scheme = static_cast<int>(this->Options.Scheme);
   const bool isLimit = this->Options.ProjectToLimit;
-  if (Partners* others = FindPartners(this->Options, this->Input))
+  if (OtherPartitions* others = this->Options.Others)
   {
     this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);
     return;

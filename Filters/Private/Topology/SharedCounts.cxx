@@ -82,9 +82,9 @@ vtkIdType FindOwnComponents(const SimplicialComplex<Id>& complex,
 
 /// The links between components at the vertices that this partition keeps.
 std::set<Link> FindLinks(
-  const OwnSimplices& own, const Buffer<vtkIdType> components[4], Partners& partners)
+  const OwnSimplices& own, const Buffer<vtkIdType> components[4], OtherPartitions& others)
 {
-  const std::vector<vtkIdType>& ids = partners.GetPointIds();
+  const std::vector<vtkIdType>& ids = others.GetPointIds();
   SharedKeys places;
   places.Width = 2;
   std::vector<vtkIdType> told;
@@ -101,7 +101,7 @@ std::set<Link> FindLinks(
   }
   places.Own.assign(told.size(), 1);
   std::set<Link> links;
-  SharedDirectory directory(places, 1, told, 0, partners);
+  SharedDirectory directory(places, 1, told, 0, others);
   directory.ForThings(
     [&links](auto first, auto last)
     {
@@ -115,17 +115,10 @@ std::set<Link> FindLinks(
 
 /// How many components of each C_k are others of the same C_k too: in the first partition, 0 in all
 /// others.
-void CountJoined(const std::set<Link>& links, Partners& partners, vtkIdType joined[4])
+void CountJoined(const std::set<Link>& links, OtherPartitions& others, vtkIdType joined[4])
 {
-  Partners::Messages messages;
-  messages[partners.FindFirst()] = Pack(std::vector<Link>(links.begin(), links.end()));
-  partners.Send(messages);
-  std::vector<Link> all;
-  for (const auto& [from, message] : messages)
-  {
-    const std::vector<Link> some = Unpack<Link>(message);
-    all.insert(all.end(), some.begin(), some.end());
-  }
+  std::vector<Link> all(links.begin(), links.end());
+  others.BringTo(others.FindFirst(), all);
   std::map<std::array<vtkIdType, 3>, vtkIdType> nodes;
   const auto find = [&nodes](vtkIdType k, vtkIdType partition, vtkIdType component)
   {
@@ -143,7 +136,7 @@ void CountJoined(const std::set<Link>& links, Partners& partners, vtkIdType join
 
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,
-  const ComplexDescription<Id>& description, const OwnSimplices& own, Partners& partners)
+  const ComplexDescription<Id>& description, const OwnSimplices& own, OtherPartitions& others)
 {
   vtkIdType components[4] = { 0, 0, 0, 0 };
   Buffer<vtkIdType> ofVertices[4];
@@ -157,13 +150,13 @@ ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,
     components[0] += isAlone && own.Flags[0][vertex] ? 1 : 0;
   }
   vtkIdType joined[4] = { 0, 0, 0, 0 };
-  CountJoined(FindLinks(own, ofVertices, partners), partners, joined);
+  CountJoined(FindLinks(own, ofVertices, others), others, joined);
   ComplexNumbers numbers;
   for (int k = 0; k <= 3; ++k)
   {
     const Buffer<unsigned char>& flags = own.Flags[k];
-    numbers.Counts[k] = partners.Sum(std::count(flags.begin(), flags.end(), 1));
-    numbers.Components[k] = partners.Sum(components[k]) - partners.Sum(joined[k]);
+    numbers.Counts[k] = others.Sum(std::count(flags.begin(), flags.end(), 1));
+    numbers.Components[k] = others.Sum(components[k]) - others.Sum(joined[k]);
   }
   return numbers;
 }

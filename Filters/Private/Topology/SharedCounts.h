@@ -7,7 +7,7 @@
 #define SubdivisionObjects_SharedCounts_h
 
 #include "Core/Solids/Strata/ComplexDescription.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <vector>
 
@@ -38,7 +38,7 @@ struct OwnSimplices
  */
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,
-  const ComplexDescription<Id>& description, const OwnSimplices& own, Partners& partners);
+  const ComplexDescription<Id>& description, const OwnSimplices& own, OtherPartitions& others);
 
 }
 

@@ -80,7 +80,7 @@ public:
     : Input(input)
     , Options(options)
     , Output(output)
-    , Others(FindPartners(options, input))
+    , Others(options.Others)
   {
   }
   bool Run();
@@ -158,7 +158,7 @@ private:
   std::unique_ptr<PointArrays> Points;
   std::variant<ControlComplex<int>, ControlComplex<long long>> Control;
   Buffer<vtkIdType> Chosen[3]; ///< the vertices, edges, faces that are output cells, in order
-  Partners* Others;            ///< null: the input is the whole mesh
+  OtherPartitions* Others;     ///< null: the input is the whole mesh
   /// The first input cell that each vertex, edge, face and tetrahedron lies on, where that is asked
   /// for; the number of cells: there is none.
   Buffer<vtkIdType> FirstCells[4];

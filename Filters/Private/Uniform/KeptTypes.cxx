@@ -9,7 +9,7 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
 #include "Private/Arrays/PointArrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Reading/CellReader.h"
@@ -277,13 +277,13 @@ void WriteCellData(vtkPointSet* input, const std::vector<vtkIdType>& sources,
 
 /// Finds which points of a step are corners of children of own input cells.
 std::vector<char> FindOwnPoints(
-  const RedStep& step, const std::vector<vtkIdType>& sources, const Partners& partners)
+  const RedStep& step, const std::vector<vtkIdType>& sources, const OtherPartitions& others)
 {
   std::vector<char> own(static_cast<std::size_t>(step.Rows.Offsets.size()) - 1, 0);
   const long long* corner = step.Children.Corners.data();
   for (std::size_t c = 0; c < step.Children.Shapes.size(); ++c)
   {
-    const bool isOwn = partners.IsOwn(sources[static_cast<std::size_t>(step.Parents[c])]);
+    const bool isOwn = others.IsOwn(sources[static_cast<std::size_t>(step.Parents[c])]);
     const long long* last = corner + GetNumberOfCorners(step.Children.Shapes[c]);
     for (; corner != last; ++corner)
     {
@@ -297,9 +297,9 @@ std::vector<char> FindOwnPoints(
 /// of the corners, then those of hexahedra, by their input cell and which of its hexahedra they are
 /// in. Six exchanges. `places`: PlaceCells.
 void NumberPoints(const RedStep& step, const KeptCells& before,
-  const std::vector<vtkIdType>& places, Partners& partners, WholeIds& points)
+  const std::vector<vtkIdType>& places, OtherPartitions& others, WholeIds& points)
 {
-  const std::vector<char> own = FindOwnPoints(step, before.Sources, partners);
+  const std::vector<char> own = FindOwnPoints(step, before.Sources, others);
   const auto& offsets = step.Rows.Offsets;
   auto row = static_cast<vtkIdType>(points.Ids.size());
   for (const int corners : { 2, 4 })
@@ -317,7 +317,7 @@ void NumberPoints(const RedStep& step, const KeptCells& before,
       std::replace(key.begin(), key.end(), vtkIdType(-1), vtkIdType(0));
       means.Keys.insert(means.Keys.end(), key.begin(), key.end());
     }
-    points.Add(means, partners);
+    points.Add(means, others);
   }
   std::vector<vtkIdType> hexes;
   for (std::size_t c = 0; c < before.Cells.Shapes.size(); ++c)
@@ -327,7 +327,7 @@ void NumberPoints(const RedStep& step, const KeptCells& before,
       hexes.push_back(before.Sources[c]);
     }
   }
-  points.Add(MakeKeysOfPieces(hexes, places, partners), partners);
+  points.Add(MakeKeysOfPieces(hexes, places, others), others);
 }
 
 }
@@ -348,7 +348,7 @@ bool RefineKeepingTypes(
   noCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   const std::vector<vtkIdType> ids = ReadIdsOf(input->GetPointData(), input->GetNumberOfPoints());
   const auto points = StartPointArrays(options, input, noCentres, ids, false, options.Warn);
-  Partners* others = options.GenerateGlobalIds ? FindPartners(options, input) : nullptr;
+  OtherPartitions* others = options.GenerateGlobalIds ? options.Others : nullptr;
   const auto places = others ? PlaceCells(input, *others) : std::vector<vtkIdType>();
   WholeNumbers numbers;
   if (others)

@@ -5,7 +5,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/Run/StampFields.h"
 
@@ -27,19 +27,20 @@ class ControlNumbering
 {
 public:
   ControlNumbering(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
-    const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, Partners& partners)
+    const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input,
+    OtherPartitions& others)
     : Mesh(mesh)
     , Control(mesh.GetControl())
     , Wanted(wanted)
-    , With(partners)
+    , With(others)
     , Runs(runs)
     , Complex(complex)
   {
-    this->FindCells(PlaceCells(input, partners));
+    this->FindCells(PlaceCells(input, others));
     Flags own;
     for (const vtkIdType cell : InTurn(this->Cells))
     {
-      own.push_back(partners.IsOwn(cell));
+      own.push_back(others.IsOwn(cell));
     }
     this->Own = this->FindParts(own);
   }
@@ -238,7 +239,7 @@ private:
   const ControlMesh& Mesh;
   const SimplexList& Control;
   const WantedSimplices& Wanted;
-  Partners& With;
+  OtherPartitions& With;
   const std::vector<CellRun>& Runs;
   const SimplicialComplex<Id>& Complex;
   Ids Cells;         ///< of each control simplex, the input cell
@@ -252,9 +253,9 @@ private:
 template <typename Id>
 ControlNumbers NumberControl(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, int steps,
-  Partners& partners)
+  OtherPartitions& others)
 {
-  return ControlNumbering<Id>(complex, runs, mesh, wanted, input, partners).Number(input, steps);
+  return ControlNumbering<Id>(complex, runs, mesh, wanted, input, others).Number(input, steps);
 }
 SUBDIVISION_COMPILE_FUNCTION(NumberControl);
 

@@ -22,7 +22,7 @@ class vtkPointSet;
 namespace subdivision
 {
 
-class Partners;
+class OtherPartitions;
 
 /// The simplices that go into the output, where the mesh has copies of cells of other partitions.
 struct WantedSimplices
@@ -58,7 +58,7 @@ struct ControlNumbers
 /**
  * Numbers control simplices. `complex` is the one of the control mesh and of derived singular
  * simplices, and `runs` has runs of the former, and then of the latter. `mesh` was read from
- * `input`, the mesh that `partners` know; the output is `steps` steps after its control mesh. All
+ * `input`, the mesh that `others` know; the output is `steps` steps after its control mesh. All
  * partitions call this together.
  *
  * The ids of children follow from the ids of their parents by arithmetic. So it is enough to number
@@ -68,7 +68,7 @@ struct ControlNumbers
 template <typename Id>
 ControlNumbers NumberControl(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const ControlMesh& mesh, const WantedSimplices& wanted, vtkPointSet* input, int steps,
-  Partners& partners);
+  OtherPartitions& others);
 
 struct OutputNumbers
 {

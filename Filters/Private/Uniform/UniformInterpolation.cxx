@@ -33,13 +33,13 @@ double UniformRun::GetPointsWeight() const
 /// the output are the kept ones: all of them have to be.
 void UniformRun::PlanInterpolation()
 {
-  this->Solves = AgreeWithOthers(this->Interpolates(), this->Input, this->Options);
+  this->Solves = AgreeWithOthers(this->Interpolates(), this->Options);
   // Normals and tangents need the points before they are projected.
   const KeptOperator* kept = this->Found;
   const bool knowsPoints = kept && kept->Steps && kept->PointsOut && !this->Options.HasFrames() &&
     kept->PointsWeight == this->GetPointsWeight() &&
     HoldsSameValues(this->Points->GetPoints(), kept->PointsIn) && kept->HasPoints();
-  this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Input, this->Options);
+  this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Options);
 }
 
 /// `limit` has the limits of the points that were read; null: there are none.

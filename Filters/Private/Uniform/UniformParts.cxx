@@ -4,7 +4,7 @@
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedSides.h"
 #include "Private/Reading/UnusedPoints.h"
 

@@ -164,7 +164,7 @@ private:
   const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
   UniformCells Cells;                      ///< of the output
   bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
-  Partners* Others = nullptr;              ///< null: the mesh is the whole
+  OtherPartitions* Others = nullptr;       ///< null: the mesh is the whole
   WantedSimplices Wanted;
   ControlNumbers Numbers; ///< if there are others
   FaceSides Sides;        ///< of the current level

@@ -30,7 +30,7 @@ constexpr const char* DimensionName = "ManifoldDimension";
 
 bool UniformRun::Run()
 {
-  this->Others = FindPartners(this->Options, this->Input);
+  this->Others = this->Options.Others;
   if (!this->Plan())
   {
     return false;
@@ -257,8 +257,7 @@ void UniformRun::Write()
   if (!this->IsNarrow) // the whole, which was made before, told of all cells
   {
     this->CheckOrientation();
-    TellOvershoot(
-      *this->Points, this->Options, this->Input, this->Output, this->Options.ProjectToLimit);
+    TellOvershoot(*this->Points, this->Options, this->Output, this->Options.ProjectToLimit);
   }
   if (this->Options.Features.Sharpness)
   {

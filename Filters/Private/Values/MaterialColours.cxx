@@ -5,7 +5,7 @@
 #include "Core/Memory/Sorting.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Run/Features.h"
 #include "Private/Values/PointCopies.h"
 
@@ -60,10 +60,10 @@ std::vector<char> FindMaximal(const ColouredSimplices& pieces)
   return isMaximal;
 }
 
-using Meetings = std::vector<std::pair<int, int>>;
+using MaterialPairs = std::vector<std::pair<int, int>>;
 
 /// Whether all cells at each point are known, because a cell of this partition has the point.
-std::vector<char> FindKnownPoints(const ColouredSimplices& pieces, Partners* others)
+std::vector<char> FindKnownPoints(const ColouredSimplices& pieces, OtherPartitions* others)
 {
   const auto size = static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints);
   std::vector<char> isKnown(size, others ? 0 : 1);
@@ -82,7 +82,7 @@ class MaterialsAtPoints
 {
 public:
   MaterialsAtPoints(
-    const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+    const ColouredSimplices& pieces, const std::vector<int>& materialOf, OtherPartitions* others)
     : First(static_cast<std::size_t>(pieces.Cells.Simplices.NumberOfPoints), NoMaterial)
   {
     const std::vector<char> isKnown = FindKnownPoints(pieces, others);
@@ -130,11 +130,11 @@ private:
 /// Pairs of materials that a simplex has at its points; both orders. At a joint, rows read all
 /// neighbours: of two materials that only a third one joins, one may not take the values of the
 /// other.
-Meetings FindMeetings(
-  const ColouredSimplices& pieces, const std::vector<int>& materialOf, Partners* others)
+MaterialPairs FindMaterialPairs(
+  const ColouredSimplices& pieces, const std::vector<int>& materialOf, OtherPartitions* others)
 {
   const MaterialsAtPoints known(pieces, materialOf, others);
-  Meetings meetings;
+  MaterialPairs pairs;
   std::size_t most = std::size_t(1) << 20; // simplices find the same pairs again and again
   std::vector<int> here;
   for (vtkIdType i = 0; i < pieces.GetSize(); ++i)
@@ -152,30 +152,30 @@ Meetings FindMeetings(
       {
         if (a != b)
         {
-          meetings.emplace_back(a, b);
+          pairs.emplace_back(a, b);
         }
       }
     }
-    if (meetings.size() > most)
+    if (pairs.size() > most)
     {
-      SortDistinct(meetings);
-      most = std::max(most, 2 * meetings.size());
+      SortDistinct(pairs);
+      most = std::max(most, 2 * pairs.size());
     }
   }
-  SortDistinct(meetings);
-  return meetings;
+  SortDistinct(pairs);
+  return pairs;
 }
 
 /// Gives each material the smallest colour that no earlier one has that it meets. Returns the
 /// number of colours, at least 1.
-int ChooseColours(const Meetings& meetings, std::vector<int>& colours)
+int ChooseColours(const MaterialPairs& pairs, std::vector<int>& colours)
 {
   int count = 1;
-  auto at = meetings.begin();
+  auto at = pairs.begin();
   for (std::size_t material = 0; material < colours.size(); ++material)
   {
     std::vector<char> isTaken(static_cast<std::size_t>(count) + 1, 0);
-    for (; at != meetings.end() && at->first == static_cast<int>(material); ++at)
+    for (; at != pairs.end() && at->first == static_cast<int>(material); ++at)
     {
       if (at->second < at->first)
       {
@@ -191,16 +191,16 @@ int ChooseColours(const Meetings& meetings, std::vector<int>& colours)
 
 using Ids = std::vector<vtkIdType>;
 
-/// The materials and meetings of all partitions.
+/// The materials and pairs of all partitions.
 class AllMaterials
 {
 public:
-  /// The message of one partition: the number of its materials, their keys, and its meetings.
-  static Ids Tell(const Ids& keys, const Meetings& meetings)
+  /// The message of one partition: the number of its materials, their keys, and its pairs.
+  static Ids Tell(const Ids& keys, const MaterialPairs& pairs)
   {
     Ids told{ static_cast<vtkIdType>(keys.size()) };
     told.insert(told.end(), keys.begin(), keys.end());
-    for (const auto& [a, b] : InTurn(meetings))
+    for (const auto& [a, b] : InTurn(pairs))
     {
       told.insert(told.end(), { keys[a], keys[b] });
     }
@@ -208,9 +208,9 @@ public:
   }
   void Add(const Ids& told)
   {
-    const auto meetings = told.begin() + 1 + static_cast<std::ptrdiff_t>(told[0]);
-    this->Keys.insert(this->Keys.end(), told.begin() + 1, meetings);
-    for (auto key = meetings; key != told.end(); key += 2)
+    const auto pairs = told.begin() + 1 + static_cast<std::ptrdiff_t>(told[0]);
+    this->Keys.insert(this->Keys.end(), told.begin() + 1, pairs);
+    for (auto key = pairs; key != told.end(); key += 2)
     {
       this->Pairs.emplace_back(key[0], key[1]);
     }
@@ -218,14 +218,14 @@ public:
   void Colour()
   {
     SortDistinct(this->Keys);
-    Meetings meetings;
+    MaterialPairs pairs;
     for (const auto& [a, b] : InTurn(this->Pairs))
     {
-      meetings.emplace_back(this->Find(a), this->Find(b));
+      pairs.emplace_back(this->Find(a), this->Find(b));
     }
-    std::sort(meetings.begin(), meetings.end());
+    std::sort(pairs.begin(), pairs.end());
     this->Colours.resize(this->Keys.size());
-    this->NumberOfColours = ChooseColours(meetings, this->Colours);
+    this->NumberOfColours = ChooseColours(pairs, this->Colours);
   }
   /// The answer to a partition: the numbers of all colours and materials, and the colours and
   /// numbers of its materials.
@@ -254,34 +254,33 @@ private:
 };
 
 /// The answer of AllMaterials: the first partition chooses the colours of all materials.
-Ids ChooseTogether(const Ids& keys, const Meetings& meetings, Partners& partners)
+Ids ChooseTogether(const Ids& keys, const MaterialPairs& pairs, OtherPartitions& others)
 {
-  const int first = partners.FindFirst();
-  Partners::Messages messages;
-  messages[first] = Pack(AllMaterials::Tell(keys, meetings));
-  partners.Send(messages);
-  if (partners.GetPartition() == first)
+  const int first = others.FindFirst();
+  Exchange::Lists<vtkIdType> lists{ { first, AllMaterials::Tell(keys, pairs) } };
+  others.SendLists(lists);
+  if (others.GetPartition() == first)
   {
     AllMaterials all;
-    for (const auto& [from, message] : messages)
+    for (const auto& [from, told] : lists)
     {
-      all.Add(Unpack<vtkIdType>(message));
+      all.Add(told);
     }
     all.Colour();
-    for (auto& [from, message] : messages)
+    for (auto& [from, list] : lists)
     {
-      message = Pack(all.Answer(Unpack<vtkIdType>(message)));
+      list = all.Answer(list);
     }
   }
-  partners.Send(messages);
-  return Unpack<vtkIdType>(messages.at(first));
+  others.SendLists(lists);
+  return std::move(lists.at(first));
 }
 
 /// The same without others.
-Ids ChooseAlone(const Ids& keys, const Meetings& meetings)
+Ids ChooseAlone(const Ids& keys, const MaterialPairs& pairs)
 {
   std::vector<int> colours(keys.size(), 0);
-  const int count = ChooseColours(meetings, colours);
+  const int count = ChooseColours(pairs, colours);
   Ids answer{ count, static_cast<vtkIdType>(keys.size()) };
   for (std::size_t material = 0; material < keys.size(); ++material)
   {
@@ -300,7 +299,8 @@ SimplicesOfCells Split(vtkPointSet* mesh)
 
 }
 
-ColouredSimplices::ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials, Partners* others)
+ColouredSimplices::ColouredSimplices(
+  vtkPointSet* mesh, vtkDataArray* materials, OtherPartitions* others)
   : Cells(Split(mesh))
 {
   this->Offsets.push_back(0);
@@ -321,8 +321,8 @@ ColouredSimplices::ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials,
   {
     materialOf.push_back(hasMaximal[this->GetCell(i)] ? numbers[this->GetCell(i)] : NoMaterial);
   }
-  const Meetings meetings = FindMeetings(*this, materialOf, others);
-  const Ids chosen = others ? ChooseTogether(keys, meetings, *others) : ChooseAlone(keys, meetings);
+  const MaterialPairs pairs = FindMaterialPairs(*this, materialOf, others);
+  const Ids chosen = others ? ChooseTogether(keys, pairs, *others) : ChooseAlone(keys, pairs);
   this->NumberOfColours = static_cast<int>(chosen[0]);
   this->NumberOfMaterials = static_cast<int>(chosen[1]);
   for (const int material : materialOf)

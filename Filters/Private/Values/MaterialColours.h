@@ -19,7 +19,7 @@ class vtkPointSet;
 namespace subdivision
 {
 
-class Partners;
+class OtherPartitions;
 
 /// The simplices of a mesh, and the colour of the material of each: materials that have points of
 /// one simplex have different ones, and cells that are faces of others have NoColour.
@@ -27,7 +27,7 @@ struct ColouredSimplices
 {
   /// `materials` are the materials of cells. `others`: the other partitions of the mesh, which call
   /// this too, and in which materials have the same colours; null: there are none.
-  ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials, Partners* others);
+  ColouredSimplices(vtkPointSet* mesh, vtkDataArray* materials, OtherPartitions* others);
   vtkIdType GetSize() const { return this->Cells.Simplices.GetNumberOfSimplices(); }
   int GetDimension(vtkIdType i) const { return this->Cells.Simplices.Dimensions[i]; }
   vtkIdType GetCell(vtkIdType i) const

@@ -42,7 +42,7 @@ bool IsField(vtkAbstractArray* array, vtkIdType points)
 class Control
 {
 public:
-  Control(vtkPointSet* input, vtkDataArray* materials, Partners* others)
+  Control(vtkPointSet* input, vtkDataArray* materials, OtherPartitions* others)
     : Input(input)
     , Places(FindPlaces(FindFirstCopies(input), this->Sources))
     , Mesh(this->JoinCopies())
@@ -502,11 +502,6 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   const MaterialFieldOptions& fields, const std::function<bool(vtkPointSet*, vtkPointSet*)>& work)
 {
   const bool hasCopies = input->GetPointData()->HasArray(MaterialPointIdsName);
-  const auto find = options.FindPartners;
-  if (find)
-  {
-    options.FindPartners = [&](vtkPointSet*) { return find(input); };
-  }
   const vtkSmartPointer<vtkDataArray> blocks = input->GetCellData()->GetArray(OwnBlockName);
   vtkDataArray* const parts =
     fields.OfMergedParts ? input->GetCellData()->GetArray(MergedPartsName) : nullptr;
@@ -524,9 +519,7 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
       mesh->ShallowCopy(input);
       mesh->GetPointData()->RemoveArray(MaterialPointIdsName);
     }
-    const bool isDone = work(mesh, output);
-    options.FindPartners = find;
-    return isDone;
+    return work(mesh, output);
   }
   vtkSmartPointer<vtkPointSet> mesh;
   {
@@ -534,7 +527,7 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
       parts      ? parts
         : blocks ? blocks.Get()
                  : options.Features.Material.Get(),
-      FindPartners(options, input));
+      options.Others);
     const bool areTooMany = control.GetNumberOfColours() > MaximumNumberOfColours;
     if (areTooMany && !fields.IsOn)
     {
@@ -560,7 +553,6 @@ bool RunWithMaterialFields(vtkPointSet* input, vtkPointSet* output, RunOptions& 
   options.HasMaterialFields = isOn;
   const bool isDone = work(mesh, output);
   options.HasMaterialFields = false;
-  options.FindPartners = find;
   if (isDone && isOn && output->GetPoints())
   {
     Tear(output).Run();

@@ -4,7 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include "vtkDataArray.h"
 #include "vtkNew.h"
@@ -118,16 +118,10 @@ bool RunWithMissingValues(vtkPointSet* input, vtkPointSet* output, RunOptions& o
   {
     mesh = MaskValues(input, mask);
   }
-  const auto find = options.FindPartners;
-  if (find)
-  {
-    options.FindPartners = [&](vtkPointSet*) { return find(input); };
-  }
   std::string note;
   options.NoteOfMissing = &note;
   const bool isDone = work(mesh, output);
   options.NoteOfMissing = nullptr;
-  options.FindPartners = find;
   std::string text;
   for (int a = 0; isDone && a < mesh->GetPointData()->GetNumberOfArrays(); ++a)
   {
@@ -140,8 +134,8 @@ bool RunWithMissingValues(vtkPointSet* input, vtkPointSet* output, RunOptions& o
       (after.Count != before.Count || made->GetNumberOfTuples() != given->GetNumberOfTuples()))
     {
       text += (text.empty() ? "" : "; ") + ("the point array \"" + name + "\" ");
-      text += FindPartners(options, input) ? "at some points"
-                                           : "at " + std::to_string(before.Count) + " of " +
+      text += options.Others ? "at some points"
+                             : "at " + std::to_string(before.Count) + " of " +
           std::to_string(given->GetNumberOfTuples()) + " points (the first is point " +
           std::to_string(before.First) + "), and so at " + std::to_string(after.Count) + " of " +
           std::to_string(made->GetNumberOfTuples()) + " points of the output";

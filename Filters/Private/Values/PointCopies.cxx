@@ -64,4 +64,19 @@ std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh)
   return firsts;
 }
 
+void SetCellArrays(vtkPointSet* mesh, vtkUnsignedCharArray* types,
+  const std::vector<vtkSmartPointer<vtkCellArray>>& cells)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    grid->SetCells(types, cells[0]);
+    return;
+  }
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  surface->SetVerts(cells[0]);
+  surface->SetLines(cells[1]);
+  surface->SetPolys(cells[2]);
+  surface->SetStrips(cells[3]);
+}
+
 }

@@ -77,6 +77,10 @@ void ForEachCellArray(vtkPointSet* mesh, const Visit& visit)
   }
 }
 
+/// Gives a mesh the cells of such arrays; `types`: those of a grid.
+void SetCellArrays(vtkPointSet* mesh, vtkUnsignedCharArray* types,
+  const std::vector<vtkSmartPointer<vtkCellArray>>& cells);
+
 /// Gives a mesh such copies of its cells.
 template <typename Change>
 void ChangeCells(vtkPointSet* mesh, vtkIdType size, const Change& change)
@@ -84,16 +88,8 @@ void ChangeCells(vtkPointSet* mesh, vtkIdType size, const Change& change)
   std::vector<vtkSmartPointer<vtkCellArray>> made;
   ForEachCellArray(mesh, [&](vtkCellArray* cells, vtkIdType first)
     { made.push_back(CopyCells(cells, first, size, change)); });
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
-  {
-    grid->SetCells(GetCellTypes(grid), made[0]);
-    return;
-  }
-  auto* surface = vtkPolyData::SafeDownCast(mesh);
-  surface->SetVerts(made[0]);
-  surface->SetLines(made[1]);
-  surface->SetPolys(made[2]);
-  surface->SetStrips(made[3]);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  SetCellArrays(mesh, grid ? GetCellTypes(grid) : nullptr, made);
 }
 
 /// Replaces points and point data by the ones of `sources`, and ids by the result of `change`.

@@ -2,7 +2,7 @@
 #include "Private/Values/SharedInterpolation.h"
 
 #include "Private/ArrayNames.h"
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/Partitions/SharedValues.h"
 #include "Private/Run/SizeChecks.h"
@@ -21,19 +21,20 @@ namespace
 {
 
 /// The control points: points by their ids, the centres that cells bring by the ids of these cells.
-SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Partners& partners)
+SharedKeys MakeControlKeys(
+  vtkPointSet* input, const SimplicesOfCells& cells, OtherPartitions& others)
 {
   SharedKeys control;
   control.Width = 2;
-  control.Own = FindOwnPoints(input, [&](vtkIdType cell) { return partners.IsOwn(cell); });
-  for (const vtkIdType id : partners.GetPointIds())
+  control.Own = FindOwnPoints(input, [&](vtkIdType cell) { return others.IsOwn(cell); });
+  for (const vtkIdType id : others.GetPointIds())
   {
     control.Keys.insert(control.Keys.end(), { id, 0 });
   }
   if (cells.GetNumberOfCentres() > 0)
   {
     const SharedKeys centres = MakeCentreKeys(input->GetNumberOfPoints(), cells.GetView(),
-      MakeKeysOfPieces(cells, partners.GetCellIds(), partners));
+      MakeKeysOfPieces(cells, others.GetCellIds(), others));
     for (size_t c = 0; c < centres.Own.size(); ++c)
     {
       control.Keys.insert(control.Keys.end(), { centres.Keys[2 * c], 1 + centres.Keys[2 * c + 1] });
@@ -45,7 +46,7 @@ SharedKeys MakeControlKeys(vtkPointSet* input, const SimplicesOfCells& cells, Pa
 
 /// The rows of control points of all partitions in the order of the whole mesh, where centres come
 /// after points.
-WholeSystem FindWhole(const SharedKeys& control, Partners& partners)
+WholeSystem FindWhole(const SharedKeys& control, OtherPartitions& others)
 {
   SharedKeys ordered = control;
   ordered.Width = 3;
@@ -55,29 +56,29 @@ WholeSystem FindWhole(const SharedKeys& control, Partners& partners)
     const vtkIdType* key = control.Keys.data() + 2 * i;
     ordered.Keys.insert(ordered.Keys.end(), { key[1] > 0 ? 1 : 0, key[0], key[1] });
   }
-  const SharedNumbers numbers = NumberTogether(ordered, partners);
-  const int first = partners.FindFirst();
+  const SharedNumbers numbers = NumberTogether(ordered, others);
+  const int first = others.FindFirst();
   WholeSystem whole(numbers.Totals[0]);
   whole.Numbers = numbers.First;
   whole.AreOwn = control.Own;
-  whole.ToSolver = [first, &partners](std::vector<double>& values)
+  whole.ToSolver = [first, &others](std::vector<double>& values)
   {
-    partners.BringTo(first, values);
-    return partners.GetPartition() == first;
+    others.BringTo(first, values);
+    return others.GetPartition() == first;
   };
-  whole.FromSolver = [first, &partners](std::vector<double>& values)
-  { partners.TakeFrom(first, values); };
+  whole.FromSolver = [first, &others](std::vector<double>& values)
+  { others.TakeFrom(first, values); };
   return whole;
 }
 
-Partners* FindOthers(vtkPointSet* input, const RunOptions& options)
+OtherPartitions* FindOthers(const RunOptions& options)
 {
-  return options.Interpolation.IsOn() ? FindPartners(options, input) : nullptr;
+  return options.Interpolation.IsOn() ? options.Others : nullptr;
 }
 
 /// `others`: partitions that call this too; if there are any, nothing is counted.
 void TellMisses(
-  LimitMisses misses, Partners* others, const std::function<void(const std::string&)>& warn)
+  LimitMisses misses, OtherPartitions* others, const std::function<void(const std::string&)>& warn)
 {
   if (others)
   {
@@ -99,17 +100,17 @@ void TellMisses(
 
 }
 
-bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options)
+bool AgreeWithOthers(bool own, const RunOptions& options)
 {
-  Partners* others = FindOthers(input, options);
-  return others ? others->Sum(own ? 0 : 1) == 0 : own;
+  OtherPartitions* others = FindOthers(options);
+  return others ? others->Agree(own) : own;
 }
 
 void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
   InterpolationLimits& limits)
 {
   limits.FindMemory = GetAvailableMemory;
-  if (Partners* others = FindOthers(input, options))
+  if (OtherPartitions* others = FindOthers(options))
   {
     const auto keys = std::make_shared<SharedKeys>(MakeControlKeys(input, cells, *others));
     const auto shared = std::make_shared<SharedValues>(*keys, *others);
@@ -131,10 +132,10 @@ void WarnOfLateInterpolation(const InterpolationOptions& options,
   }
 }
 
-void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
-  vtkPointSet* output, bool isLimit)
+void TellOvershoot(
+  const PointArrays& arrays, const RunOptions& options, vtkPointSet* output, bool isLimit)
 {
-  Partners* others = FindOthers(input, options);
+  OtherPartitions* others = FindOthers(options);
   std::vector<char> counted;
   if (others && options.Interpolation.Arrays)
   {

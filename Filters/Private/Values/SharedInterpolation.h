@@ -16,7 +16,7 @@ namespace subdivision
 {
 
 /// Whether all partitions say yes; without others, the answer of this one.
-bool AgreeWithOthers(bool own, vtkPointSet* input, const RunOptions& options);
+bool AgreeWithOthers(bool own, const RunOptions& options);
 
 /// Lets the solver work together with the solvers of the other partitions, which all call this;
 /// does nothing if there are none. `cells` were read from `input`, and have the control points.
@@ -31,8 +31,8 @@ void WarnOfLateInterpolation(const InterpolationOptions& options,
 /// Warns of values of the output beyond the range of the input's. All partitions call this. If
 /// there are several, each looks at the cells that are made of its own, and nothing is counted.
 /// `isLimit`: points are on the limit; warns also of values of materials that are not.
-void TellOvershoot(const PointArrays& arrays, const RunOptions& options, vtkPointSet* input,
-  vtkPointSet* output, bool isLimit);
+void TellOvershoot(
+  const PointArrays& arrays, const RunOptions& options, vtkPointSet* output, bool isLimit);
 
 }
 

@@ -409,7 +409,6 @@ TEST(ArraysComeOut, OfRanksEachWithItsOwnLooks)
   subdivision::UniformOptions options;
   options.Levels = 1;
   subdivision::DistributionOptions distribution;
-  distribution.WorksInRounds = true;
   std::vector<Mesh> outputs;
   ASSERT_TRUE(RunOnParts(
     parts, halves, distribution, options, [&](vtkPointSet* input, vtkPointSet* output)

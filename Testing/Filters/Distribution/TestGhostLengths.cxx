@@ -121,7 +121,6 @@ std::vector<Mesh> SubdivideParts(
   Options own = options;
   subdivision::DistributionOptions distribution;
   distribution.IsOfSurfaces = std::is_same_v<Options, subdivision::SurfaceOptions>;
-  distribution.WorksInRounds = true;
   distribution.GhostLayers = ghostLayers;
   std::vector<Mesh> outputs;
   EXPECT_TRUE(RunOnParts(

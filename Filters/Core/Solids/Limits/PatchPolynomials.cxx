@@ -6,7 +6,7 @@
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
-#include "Core/Solids/Limits/PlaceSum.h"
+#include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>

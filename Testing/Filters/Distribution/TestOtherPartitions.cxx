@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file TestPartners.cxx
- * What partitions agree upon by the functions of Partners.
+ * @file TestOtherPartitions.cxx
+ * What partitions agree upon by the functions of Exchange.
  */
-#include "Private/Partitions/Partners.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace
 {
 
 /// The second of three partitions; the others are lists of values, null without a mesh.
-class SecondOfThree : public Partners
+class SecondOfThree : public OtherPartitions
 {
 public:
   SecondOfThree(const std::vector<double>* first, const std::vector<double>* third)
@@ -72,12 +72,12 @@ private:
 
 }
 
-TEST(Partners, LargestOfThoseWithAMesh)
+TEST(Exchange, LargestOfThoseWithAMesh)
 {
   const std::vector<double> third = { -1., 7. };
-  SecondOfThree partners(nullptr, &third);
+  SecondOfThree others(nullptr, &third);
   std::vector<double> values = { 2., 3. };
-  partners.FindLargest(values);
+  others.FindLargest(values);
   EXPECT_EQ(values, (std::vector<double>{ 2., 7. }));
 
   const std::vector<double> largest = { 5., 6. };
@@ -88,7 +88,7 @@ TEST(Partners, LargestOfThoseWithAMesh)
 
 // Whoever brings another number of values would be waited for: all partitions stop, before they
 // send.
-TEST(Partners, ListsOfDifferentLengthEndTheWork)
+TEST(Exchange, ListsOfDifferentLengthEndTheWork)
 {
   const std::vector<double> longer = { 1., 2., 3. };
   const std::vector<double> same = { 1., 2. };
@@ -96,9 +96,9 @@ TEST(Partners, ListsOfDifferentLengthEndTheWork)
   for (const auto& [first, third] :
     { Pair(&longer, nullptr), Pair(nullptr, &longer), Pair(&same, &longer) })
   {
-    SecondOfThree partners(first, third);
+    SecondOfThree others(first, third);
     std::vector<double> values = { 2., 3. };
-    EXPECT_THROW(partners.FindLargest(values), PartnersStopped);
-    EXPECT_EQ(partners.NumberOfSends, 0);
+    EXPECT_THROW(others.FindLargest(values), PartitionStopped);
+    EXPECT_EQ(others.NumberOfSends, 0);
   }
 }
