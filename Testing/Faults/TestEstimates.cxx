@@ -6,7 +6,6 @@
  */
 #include "FailingMemory.h"
 #include "FeatureTools.h"
-#include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
 
 #include "vtkCallbackCommand.h"

@@ -14,7 +14,6 @@
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/OpenPoints.h"
 #include "Private/Partitions/FittingMarks.h"
-#include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceChecks.h"
 #include "Private/Surface/SurfaceCreases.h"

@@ -404,17 +404,6 @@ bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features
   return made == 0 || Scheme::HasCells(current, control.Runs, mesh.Cells.Simplices);
 }
 
-template <typename Id>
-bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control)
-{
-  Level<Id> current;
-  const bool built =
-    BuildControlComplex<BoxSplineScheme<Id>>(mesh, features, points, warn, depth, control, current);
-  control.Current = std::move(current);
-  return built;
-}
-
 template <typename Scheme>
 typename Scheme::Level BuildSharpLevel(
   const ControlMesh& mesh, const FeatureOptions& features, const ControlTraits& traits, int steps)
@@ -479,12 +468,6 @@ SemiSharpStages<typename Scheme::Id> BuildSharpStages(
 
 SUBDIVISION_COMPILE_FUNCTION(CollectSingular);
 SUBDIVISION_COMPILE_FUNCTION(WarnOfOpenPoints);
-#define SUBDIVISION_CONTROL(Id)                                                                    \
-  template bool BuildControlComplex(const ControlMesh&, const FeatureOptions&, const Coordinates&, \
-    const WarnFunction&, Depth, ControlComplex<Id>&)
-SUBDIVISION_CONTROL(int);
-SUBDIVISION_CONTROL(long long);
-
 #define SUBDIVISION_SCHEME(Scheme)                                                                 \
   template bool BuildControlComplex<Scheme>(const ControlMesh&, const FeatureOptions&,             \
     const Coordinates&, const WarnFunction&, Depth, ControlComplex<Scheme::Id>&, Scheme::Level&);  \

@@ -43,12 +43,9 @@ using WarnFunction = std::function<void(const std::string&)>;
 /// `warn` gets messages on these and on flags that contradict each other; `depth` is for the
 /// current level. Returns false if the stamp is wrong: its levels do not lead from the control mesh
 /// to the simplices that were read, or the mesh does not have its singular simplices.
-template <typename Id>
-bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
-  const Coordinates& points, const WarnFunction& warn, Depth depth, ControlComplex<Id>& control);
-
-/// The same for any volume scheme (SolidScheme.h). The level goes to `current`; control.Current is
-/// left empty.
+///
+/// The level, of any volume scheme (SolidScheme.h), goes to `current`. That may be control.Current,
+/// which else is left empty.
 template <typename Scheme>
 bool BuildControlComplex(const ControlMesh& mesh, const FeatureOptions& features,
   const Coordinates& points, const WarnFunction& warn, Depth depth,

@@ -2,7 +2,6 @@
 #include "Private/Distribution/Ranks.h"
 
 #include "Private/Distribution/JoinedArrays.h"
-#include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
 
 #include "vtkAbstractArray.h"

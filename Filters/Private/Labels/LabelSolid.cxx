@@ -9,7 +9,6 @@
 #include "Private/Labels/LabelPieces.h"
 #include "Private/Labels/Materials.h"
 #include "Private/Labels/VoxelGrid.h"
-#include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
 
 #include "vtkCellArray.h"

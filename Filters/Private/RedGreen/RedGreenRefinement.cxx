@@ -12,7 +12,6 @@
 #include "Private/RedGreen/RedGreenNormals.h"
 #include "Private/RedGreen/RedGreenWriter.h"
 #include "Private/RedGreen/VertexOrigins.h"
-#include "Private/Run/MemoryEstimate.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Run/StampFields.h"
 #include "Private/Values/SharedInterpolation.h"

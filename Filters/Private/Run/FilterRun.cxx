@@ -3,7 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Reading/CellChecks.h"
-#include "Private/Run/MemoryEstimate.h"
+#include "Private/Run/SizeChecks.h"
 #include "Private/Run/ToldWarnings.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 

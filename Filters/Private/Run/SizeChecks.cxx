@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/SimplexStarts.h"
-#include "Private/Run/MemoryEstimate.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"

@@ -200,10 +200,11 @@ bool Probe::Build()
 template <typename Id>
 bool Probe::BuildAs()
 {
-  return BuildControlComplex(
+  auto& control = this->Control.emplace<ControlComplex<Id>>();
+  return BuildControlComplex<BoxSplineScheme<Id>>(
     this->Mesh, this->Options.Features, this->Points->GetCoordinates(),
     [this](const std::string& warning) { this->Mesh.Warnings.push_back(warning); },
-    Depth::ForRefinement, this->Control.emplace<ControlComplex<Id>>());
+    Depth::ForRefinement, control, control.Current);
 }
 
 /// Writes the output. Returns false after an error or if Progress asks to stop.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Uniform/LimitOperators.h"
+#include "Private/Uniform/OperatorCache.h"
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"

@@ -8,13 +8,14 @@
 #define SubdivisionObjects_OperatorCache_h
 
 #include "Core/Operators/OperatorSequence.h"
+#include "Core/Solids/Limits/LimitNormals.h"
+#include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Scheme/ComposedRows.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/Stamp.h"
 #include "Private/Run/KeptEntries.h"
-#include "Private/Uniform/LimitOperators.h"
 #include "Private/Uniform/OutputNumbers.h"
 #include "Private/Uniform/UniformCells.h"
 
@@ -28,6 +29,31 @@
 
 namespace subdivision
 {
+
+/// The operators that follow the last step: they move points and arrays to the limit, and compute
+/// its normals and tangents.
+template <typename Id>
+struct LimitOperators
+{
+  SparseRows<Id> Rows; ///< none: points stay where they are
+  LimitTangents<Id> Tangents;
+  bool HasNormals = false;
+  bool HasTangents = false; ///< these go to arrays of their own
+
+  LimitOperators() = default;
+  /// A level of any volume scheme.
+  template <typename Level>
+  LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
+    const ControlSolids& solids, bool project, bool generateNormals, bool generateTangents);
+
+  /// `arrays` belong to the level; `inverted` and `turned` as in ComputeLimitNormals.
+  void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
+    const Buffer<unsigned char>& turned) const;
+  std::size_t GetMemorySize() const
+  {
+    return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();
+  }
+};
 
 /// The operators of consecutive steps, for either type of ids. As a sequence it must have a step,
 /// and none that is cut.

@@ -5,8 +5,6 @@
  */
 #include "Private/Run/SizeChecks.h"
 
-#include "Private/Run/MemoryEstimate.h"
-
 #include <gtest/gtest.h>
 
 namespace
