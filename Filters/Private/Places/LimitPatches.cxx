@@ -3,8 +3,8 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/UnevenRanges.h"
-#include "Core/Solids/Location/CurveOrder.h"
 #include "Core/Memory/Vectors.h"
+#include "Core/Solids/Location/CurveOrder.h"
 #include "Private/Places/LimitPatchShape.h"
 #include "Private/Places/PlaceScore.h"
 

@@ -6,8 +6,8 @@
 #ifndef SubdivisionObjects_PlaceScore_h
 #define SubdivisionObjects_PlaceScore_h
 
-#include "Core/Solids/Location/Box.h"
 #include "Core/Memory/Vectors.h"
+#include "Core/Solids/Location/Box.h"
 
 #include <algorithm>
 #include <cmath>

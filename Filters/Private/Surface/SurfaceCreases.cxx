@@ -3,8 +3,8 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Core/Rules/Pi.h"
 #include "Core/Memory/Vectors.h"
+#include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Control/Stamp.h"

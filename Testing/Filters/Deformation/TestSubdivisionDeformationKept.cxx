@@ -48,8 +48,8 @@ struct Embedding
     const auto control = this->Rest.MoveControlPoints(Moved(this->Cage, map));
     const double* moved = byComposed ? nullptr : this->Rest.MovePoints(control);
     const Grid result = DeepCopy(this->Cloud);
-    result->GetPoints()->SetData(subdivision::MoveEmbeddedPoints(*this->Points,
-      static_cast<const double*>(control->GetVoidPointer(0)), moved, VTK_DOUBLE));
+    result->GetPoints()->SetData(subdivision::MoveEmbeddedPoints(
+      *this->Points, static_cast<const double*>(control->GetVoidPointer(0)), moved, VTK_DOUBLE));
     return GetLargestError(result, this->Cloud, map);
   }
 

@@ -2,11 +2,11 @@
 #include "Core/Solids/Limits/PatchPolynomials.h"
 
 #include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
-#include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>
