@@ -21,7 +21,7 @@ namespace subdivision
  *
  * A triangle or vertex is known by its control face or edge and by the path from there, which child
  * of which child. The trees of control faces of others are known in part only, so that counts as in
- * NumberSurface would not do. 56 bytes are sent for each triangle and vertex; four exchanges for
+ * NumberSurface would not do. 48 bytes are sent for each triangle and vertex; four exchanges for
  * each level.
  */
 template <typename Id>

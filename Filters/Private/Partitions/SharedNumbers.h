@@ -34,7 +34,7 @@ struct SharedNumbers
 
 /**
  * Numbers the things of all partitions, which call this together. The directory sorts what they
- * send and answers: two exchanges, 8 (Width + 1 + Kinds) bytes there and 8 Kinds bytes back for
+ * send and answers: two exchanges, 8 (Width + Kinds) bytes there and 8 Kinds bytes back for
  * each thing.
  */
 SharedNumbers NumberTogether(const SharedKeys& things, OtherPartitions& others);

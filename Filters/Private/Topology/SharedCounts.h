@@ -33,7 +33,7 @@ struct OwnSimplices
 /**
  * The numbers of the whole complex. Each partition finds the components of its own edges; those of
  * two partitions that share a vertex are one. Whoever keeps the vertex learns which these are, and
- * tells the first partition: two exchanges, 32 bytes for each component at a shared vertex, and 40
+ * tells the first partition: two exchanges, 24 bytes for each component at a shared vertex, and 40
  * for each two components that meet at the border of two partitions.
  */
 template <typename Id>
