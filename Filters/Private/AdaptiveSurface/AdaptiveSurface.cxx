@@ -364,12 +364,8 @@ void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
   { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
   for (vtkIdType v = given; v < size; ++v)
   {
-    const Id source = this->Mesh->GetAdded(static_cast<Id>(v)).Source;
-    const Id* parents =
-      source >= 0 ? this->Mesh->GetVertices(source) : this->Mesh->GetSegmentAt(-1 - source).Ends;
-    const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2),
-      [this](Id a, Id b) { return this->Points->IsEarlier(a, b); });
-    origins[v - given] = static_cast<Id>(origin(parent));
+    origins[v - given] = static_cast<Id>(origin(this->Mesh->FindFirstParent(
+      static_cast<Id>(v), [this](Id a, Id b) { return this->Points->IsEarlier(a, b); })));
   }
   const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
   const bool wantsFrames = this->Options.HasFrames();

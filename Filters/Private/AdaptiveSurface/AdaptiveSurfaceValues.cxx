@@ -14,16 +14,12 @@ namespace subdivision
 template <typename Id>
 vtkIdType AdaptiveSurfaceValues<Id>::FindOrigin(Id vertex) const
 {
-  const Id source = this->Mesh.GetAdded(vertex).Source;
-  const Id* parents =
-    source >= 0 ? this->Mesh.GetVertices(source) : this->Mesh.GetSegmentAt(-1 - source).Ends;
-  const Id parent = *std::min_element(parents, parents + (source >= 0 ? 3 : 2),
+  return this->Origins[this->Mesh.FindFirstParent(vertex,
     [this](Id a, Id b)
     {
       const int levels[2] = { this->GetLevel(a), this->GetLevel(b) };
       return levels[0] != levels[1] ? levels[0] < levels[1] : this->Origins[a] < this->Origins[b];
-    });
-  return this->Origins[parent];
+    })];
 }
 
 /// Computes the first value and the limit of each new vertex from vertices of earlier levels. The

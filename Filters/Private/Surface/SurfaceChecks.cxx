@@ -89,7 +89,7 @@ double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
   const FaceMemory ofFace = scheme.GetFaceMemory();
   const bool readsLimits = options.ReadsLimit();
   const bool isSmooth =
-    !(scheme.UsesTags() && HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
+    (scheme.IsDual() || !HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
   const double beside = options.HasFrames() ? ofFace.Frames
     : readsLimits                           ? ofFace.Limits
     : isSmooth                              ? ofFace.Smooth
@@ -262,8 +262,7 @@ void WarnOfUnused(const SurfaceScheme<int>& scheme, const SurfaceOptions& option
                  "them. Flag lines and vertices instead (array index 0), or use "
                  "vtkMultiDimensionalSubdivision.");
   }
-  if (!scheme.UsesTags() &&
-    (HasFlags(features) || options.Features.CornerAngles || options.Flatness))
+  if (scheme.IsDual() && (HasFlags(features) || options.Features.CornerAngles || options.Flatness))
   {
     options.Warn(
       "This scheme is dual and has no creases and corners: the filter ignores flags, "

@@ -82,7 +82,7 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
   apply(LimitKind::Tangent1, tangents.Values[0].data());
   apply(LimitKind::Tangent2, tangents.Values[1].data());
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
-  const bool hasTags = steps.GetScheme().UsesTags();
+  const bool hasTags = !steps.GetScheme().IsDual();
   TurnTangents(
     turned,
     [&level, hasTags](vtkIdType v)

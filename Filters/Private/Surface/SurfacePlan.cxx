@@ -251,7 +251,7 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
 template <typename Id>
 void SurfaceRun<Id>::SetSharpness(SurfaceSteps<Id>& steps, const SurfaceCreases& creases)
 {
-  const bool useSharpness = this->Scheme->HalvesEdges() && this->Scheme->UsesTags();
+  const bool useSharpness = this->Scheme->HalvesEdges();
   steps.SetSharpness(useSharpness ? creases.Sharpness : EdgeSharpness(),
     [&](const std::vector<bool>& sharp)
     {

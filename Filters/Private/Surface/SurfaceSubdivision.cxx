@@ -87,7 +87,7 @@ bool SurfaceRun<Id>::Execute()
           [this](vtkIdType a, vtkIdType b) { return this->Points->IsEarlier(a, b); });
       },
       step + 1 < levels);
-    if (!this->Scheme->KeepsVertices())
+    if (this->Scheme->IsDual())
     {
       this->Points->ForgetInputPoints();
     }
@@ -188,7 +188,7 @@ void SurfaceRun<Id>::WriteStamp()
   stamp.FaceAngles = this->Stamp.FaceAngles;
   stamp.GivenCorners = this->Stamp.GivenCorners;
   stamp.Creases = this->Creases;
-  if (this->Scheme->KeepsVertices())
+  if (!this->Scheme->IsDual())
   {
     stamp.GlobalIds = this->MadeLevels > 0 ? this->Stamp.GlobalIds : this->GlobalIds;
   }

@@ -210,7 +210,7 @@ public:
     SurfaceLevel<int> level = this->MakeLevel();
     level.Tags = classify(this->Features);
     SurfaceSteps<int> steps(std::move(level), scheme, count, whole, nullptr);
-    if (semiSharp && scheme->HalvesEdges() && scheme->UsesTags())
+    if (semiSharp && scheme->HalvesEdges())
     {
       steps.SetSharpness(this->Sharpness,
         [&](const std::vector<bool>& edges)

@@ -37,21 +37,22 @@ TEST_P(SurfaceReplacedEdges, StepsAreWhatASearchFinds)
     Walk walk(entry.second, Kind);
     for (int step = 0; step < (OfTriangles ? 4 : 5); ++step)
     {
-      const vtkIdType faces = walk.Level.Mesh.NumberOfFaces;
+      const vtkIdType before = walk.Level.Mesh.NumberOfFaces;
       const vtkIdType euler = GetEuler(walk.Level.Mesh);
       CheckRows(walk);
-      const SurfaceLevel<int> output = walk.Scheme->Refine(walk.Level, Depth::ForOutput);
+      const SurfaceLevel<int> output = walk.Scheme->Refine(walk.Level, Depth::ForCounts);
+      std::vector<int> faces(
+        static_cast<std::size_t>(output.Mesh.GetFirstOfCounted(output.Mesh.NumberOfFaces)));
+      walk.Scheme->WriteFaces(walk.Level, faces.data());
       walk.Step();
       EXPECT_EQ(GetEuler(walk.Level.Mesh), euler);
-      EXPECT_TRUE(!OfTriangles || walk.Level.Mesh.NumberOfFaces == 3 * faces);
+      EXPECT_TRUE(!OfTriangles || walk.Level.Mesh.NumberOfFaces == 3 * before);
       if (entry.first != "pillow") // its flipped edges have the same ends: a search merges them
       {
         CheckIncidences(walk.Level);
       }
       const SurfaceLevel<int>& whole = walk.Level;
-      ASSERT_EQ(output.Mesh.Vertices.size(), whole.Mesh.Vertices.size());
-      EXPECT_TRUE(std::equal(
-        output.Mesh.Vertices.begin(), output.Mesh.Vertices.end(), whole.Mesh.Vertices.begin()));
+      EXPECT_EQ(faces, std::vector<int>(whole.Mesh.Vertices.begin(), whole.Mesh.Vertices.end()));
       ASSERT_EQ(output.Lines.size(), whole.Lines.size());
       EXPECT_TRUE(std::equal(output.Lines.begin(), output.Lines.end(), whole.Lines.begin()));
     }

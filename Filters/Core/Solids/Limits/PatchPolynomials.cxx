@@ -50,10 +50,9 @@ void GoToChild(int dimension, int child, std::array<LatticeWeights, 4>& corners)
   const std::array<LatticeWeights, 4> before = corners;
   for (int i = 0; i <= dimension; ++i)
   {
-    const int point = ListChildren(dimension)[child].Corners[i];
-    const int* ends = point > dimension ? GetEdgeEnds(dimension, point - dimension - 1) : nullptr;
-    const LatticeWeights& first = before[ends ? ends[0] : point];
-    const LatticeWeights& second = before[ends ? ends[1] : point];
+    const auto& [a, b] = ListChildren(dimension)[child].Corners[i];
+    const LatticeWeights& first = before[a];
+    const LatticeWeights& second = before[b];
     std::transform(first.begin(), first.end(), second.begin(), corners[i].begin(), std::plus<>());
   }
 }

@@ -8,9 +8,13 @@
 #ifndef SubdivisionObjects_ButterflyMasks_h
 #define SubdivisionObjects_ButterflyMasks_h
 
+#include "Core/Operators/RowBlock.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Surfaces/Mesh/PolygonMesh.h"
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 namespace subdivision
 {
@@ -87,6 +91,43 @@ inline double CornerRing(int k, double angle, int i, int j)
 }
 
 }
+
+/// The mask of an edge between two vertices of six faces: its ends, and on each side the vertex
+/// opposite and the two beyond.
+inline constexpr std::array<double, 8> ButterflyEdge{ 1. / 2., 1. / 2., 1. / 8., -1. / 16.,
+  -1. / 16., 1. / 8., -1. / 16., -1. / 16. };
+
+/// Appends the entries of an edge from an end with another number of faces all around, of which
+/// `corner` is the end's in the first face of the edge.
+template <typename Id>
+void AppendButterflyRing(
+  const PolygonMesh<Id>& mesh, Id edge, Id vertex, Id corner, double factor, RowBlock<Id>& rows)
+{
+  thread_local std::vector<Id> ring; // it begins with the edge's other end
+  ring.clear();
+  FanStep<Id> step{ corner, mesh.Edges[corner] == edge };
+  do
+  {
+    ring.push_back(mesh.GetOtherEnd(mesh.Edges[step.GetHalfEdgeIn(mesh)], vertex));
+  } while (step.Advance(mesh) && step.Corner != corner);
+  const int k = static_cast<int>(ring.size());
+  // The weights depend on k only; they are stored for further edges with the same k.
+  thread_local std::vector<double> weights;
+  if (static_cast<int>(weights.size()) != k)
+  {
+    weights.resize(k);
+    for (int j = 0; j < k; ++j)
+    {
+      weights[j] = butterfly::Ring(k, j);
+    }
+  }
+  rows.Add(vertex, factor * butterfly::Centre);
+  for (int j = 0; j < k; ++j)
+  {
+    rows.Add(ring[j], factor * weights[j]);
+  }
+}
+
 }
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
-#include "Core/Surfaces/Butterfly/ButterflyRegular.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
@@ -31,7 +30,7 @@ struct EdgeEnd
 };
 
 template <typename Id>
-class ButterflyScheme : public QuarteringScheme<Id>
+class ButterflyScheme : public PrimalScheme<Id, 3>
 {
 public:
   bool HasCornersOfOneFace() const override { return true; }
@@ -338,9 +337,7 @@ void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double f
     this->AppendSector(edge, end, factor);
     return;
   }
-  AppendButterflyRing(
-    this->Mesh, edge, end.Vertex, end.Corner, factor,
-    [&](Id around) { return this->Mesh.GetOtherEnd(around, end.Vertex); }, this->Rows);
+  AppendButterflyRing(this->Mesh, edge, end.Vertex, end.Corner, factor, this->Rows);
 }
 
 template <typename Id>

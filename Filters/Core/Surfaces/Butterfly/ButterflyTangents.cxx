@@ -67,10 +67,7 @@ void ButterflyTangents<Id>::AddPoint(Id edge, double weight, RowBlock<Id>& rows)
   const vtkIdType row = this->Mesh.NumberOfVertices + edge;
   this->Next.Clear();
   this->Scheme.AppendRows(this->Level, this->Tags, row, row + 1, this->Next);
-  for (std::size_t k = 0; k < this->Next.GetNumberOfEntries(); ++k)
-  {
-    rows.Add(this->Next.GetColumns()[k], weight * this->Next.GetWeights()[k]);
-  }
+  AddTimes(this->Next, weight, rows);
 }
 
 /// Adds, times a weight, the derivative at `vertex` of the limit of the four-point rule along

@@ -6,46 +6,17 @@
 #ifndef SubdivisionObjects_CatmullClarkRegular_h
 #define SubdivisionObjects_CatmullClarkRegular_h
 
-#include "Core/Surfaces/Scheme/CycleRows.h"
-#include "Core/Surfaces/Scheme/SurfaceScheme.h"
-
-#include <array>
+#include "Core/Surfaces/Scheme/PrimalRows.h"
 
 namespace subdivision
 {
 
 /// The masks of a smooth vertex of four quads, each of which has a neighbour and the vertex
-/// opposite in it; of an edge between two quads, the mean of its ends and of the points of both; of
-/// a face.
+/// opposite in it; of an edge between two quads, the mean of its ends and of the points of both.
 inline constexpr std::array<double, 9> QuadsAtVertex{ 9. / 16., 3. / 32., 1. / 64., 3. / 32.,
   1. / 64., 3. / 32., 1. / 64., 3. / 32., 1. / 64. };
 inline constexpr std::array<double, 6> QuadsAtEdge{ 3. / 8., 3. / 8., 1. / 16., 1. / 16., 1. / 16.,
   1. / 16. };
-inline constexpr std::array<double, 4> QuadOfFace{ 1. / 4., 1. / 4., 1. / 4., 1. / 4. };
-
-/// Appends the rows of vertices, for which it takes walks. `areQuads`: of all faces.
-/// members(step, two) writes the neighbour by whose edge a walk enters a quad, and the vertex
-/// opposite. other(v, steps) appends the entries of a vertex that is not smooth, or not of quads.
-template <typename Id, typename Members, typename Other>
-void AppendQuadVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-  vtkIdType end, const Members& members, const Other& other, RowBlock<Id>& rows)
-{
-  const bool areQuads = level.Mesh.Arity == 4;
-  AppendCycleRows(
-    level.Mesh, QuadsAtVertex, begin, end,
-    [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; },
-    [&](Id vertex, const std::vector<FanStep<Id>>& steps, Id* columns)
-    {
-      columns[0] = vertex;
-      const bool isRegular = areQuads && steps.size() == 4;
-      for (std::size_t k = 0; isRegular && k < 4; ++k)
-      {
-        members(steps[k], columns + 2 * k + 1);
-      }
-      return isRegular;
-    },
-    other, rows);
-}
 
 /// Appends the entries of a smooth vertex of any number of quads. Each face point is a quarter of
 /// the face's four corners, and each neighbour lies in two faces.

@@ -4,9 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/CatmullClark/CatmullClarkRegular.h"
-#include "Core/Surfaces/CatmullClark/CatmullClarkRowsOfNext.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
-#include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
 #include "Core/Surfaces/Scheme/SurfaceLimits.h"
 
@@ -19,16 +17,13 @@ namespace
 {
 
 template <typename Id>
-class CatmullClarkScheme : public SurfaceScheme<Id>
+class CatmullClarkScheme : public PrimalScheme<Id, 4>
 {
 public:
   explicit CatmullClarkScheme(bool modifiedBoundary)
-    : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>& level) { return level.Mesh.Arity == 4; },
-        AppendCatmullClarkRowsOfNext<Id>, GetCatmullClarkParentsOfNext<Id>, WriteQuadsOfNext<Id> })
-    , ModifiedBoundary(modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
   {
   }
-  bool NeedsTriangles() const override { return false; }
   bool HasCornersOfOneFace() const override { return true; }
   FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 36., 118., 198. }; }
   double GetThirdEigenvalue(int k, double angle) const override
@@ -42,73 +37,22 @@ public:
   {
     return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
   }
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() + level.Mesh.NumberOfFaces;
-  }
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    const PolygonMesh<Id>& mesh = level.Mesh;
-    const vtkIdType edge = row - mesh.NumberOfVertices;
-    const vtkIdType face = edge - mesh.GetNumberOfEdges();
-    if (edge < 0)
-    {
-      parents.assign({ row });
-    }
-    else if (face < 0)
-    {
-      parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
-    }
-    else
-    {
-      const Id* first = mesh.Vertices.data() + mesh.GetFirst(static_cast<Id>(face));
-      parents.assign(first, first + mesh.GetSize(static_cast<Id>(face)));
-    }
-  }
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
-  {
-    return RefineToQuads(level, depth);
-  }
-  void ListChildren(const SurfaceLevel<Id>&, const SurfaceSegments& segments,
-    SurfaceSegments& children) const override
-  {
-    ListQuadChildren(segments, children);
-  }
-  bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
-  {
-    WriteQuads(level, ids);
-  }
-  SurfaceTags<Id> RefineTags(
-    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
-  {
-    return RefineToQuadTags(level, tags);
-  }
-  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
-    Buffer<Carrier<Id>>& children) const override
-  {
-    children = Buffer<Carrier<Id>>(level.Mesh.GetNumberOfCorners());
-    ForEach(children.size(),
-      [&](vtkIdType i) { children[i] = faces[level.Mesh.GetFace(static_cast<Id>(i))]; });
-  }
-  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
-  {
-    return level.Mesh.GetFace(static_cast<Id>(child));
-  }
-
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
-
+  bool SkipsNext(const SurfaceLevel<Id>& level) const override { return level.Mesh.Arity == 4; }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendPrimalRowsOfNext<4>(
+      level, QuadsAtVertex, QuadsAtEdge,
+      [&](Id vertex, const std::vector<FanStep<Id>>& steps, const auto& members)
+      { AppendQuadVertex(vertex, steps, members, rows); }, others, begin, end, rows);
+  }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {
-    LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary, LoopWeights::Warren);
-    for (vtkIdType v = begin; v < end; ++v)
-    {
-      finder.Append(static_cast<Id>(v), kind, rows);
-      rows.EndRow();
-    }
+    LimitFinder<Id>(level, tags, *this, this->ModifiedBoundary, LoopWeights::Warren)
+      .AppendRows(kind, begin, end, rows);
   }
 
 private:
@@ -152,35 +96,35 @@ void CatmullClarkScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Sur
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType vertices = mesh.NumberOfVertices;
-  const vtkIdType edges = vertices + mesh.GetNumberOfEdges();
-  this->AppendVertices(level, tags, begin, std::min(end, vertices), rows);
-  const vtkIdType lastOfEdges = std::min(end, edges);
-  for (vtkIdType row = std::max(begin, vertices); row < lastOfEdges; ++row)
-  {
-    row += rows.AddRun(QuadsAtEdge, lastOfEdges - row, [&](vtkIdType i, Id* columns)
-      { return this->FindQuadsOfEdge(mesh, tags, static_cast<Id>(row + i - vertices), columns); });
-    if (row < lastOfEdges)
-    {
-      this->AppendEdge(mesh, tags, static_cast<Id>(row - vertices), rows);
-      rows.EndRow();
-    }
-  }
   const bool isPlain = mesh.Arity == 4 && (!this->ModifiedBoundary || tags.Sectors.empty());
-  for (vtkIdType row = std::max(begin, edges); row < end; ++row)
-  {
-    row += rows.AddRun(QuadOfFace, isPlain ? end - row : 0,
-      [&](vtkIdType i, Id* columns)
-      {
-        std::copy_n(mesh.Vertices.data() + 4 * (row + i - edges), 4, columns);
-        return true;
-      });
-    if (row < end)
+  ForKindsOfRows<3>({ mesh.NumberOfVertices, mesh.GetNumberOfEdges(), mesh.NumberOfFaces }, begin,
+    end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
     {
-      this->AppendFace(mesh, tags, static_cast<Id>(row - edges), rows);
-      rows.EndRow();
-    }
-  }
+      switch (kind)
+      {
+        case 0:
+          this->AppendVertices(level, tags, first, last, rows);
+          break;
+        case 1:
+          AppendRegularGroups<1>(
+            QuadsAtEdge, first, last, [&](vtkIdType edge, Id* columns)
+            { return this->FindQuadsOfEdge(mesh, tags, static_cast<Id>(edge), columns); },
+            [&](vtkIdType edge) { this->AppendEdge(mesh, tags, static_cast<Id>(edge), rows); },
+            rows);
+          break;
+        default:
+          AppendRegularGroups<1>(
+            QuadOfFace, first, last,
+            [&](vtkIdType face, Id* columns)
+            {
+              std::copy_n(mesh.Vertices.data() + 4 * face, isPlain ? 4 : 0, columns);
+              return isPlain;
+            },
+            [&](vtkIdType face) { this->AppendFace(mesh, tags, static_cast<Id>(face), rows); },
+            rows);
+      }
+    });
 }
 
 template <typename Id>
@@ -188,40 +132,21 @@ void CatmullClarkScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level,
   const SurfaceTags<Id>& tags, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
-  const vtkIdType firstNew =
-    level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
   std::vector<Id> scratch;
-  const auto append = [&](Id vertex, const std::vector<FanStep<Id>>& steps)
-  {
-    isSmooth(vertex) ? this->AppendSmoothVertex(mesh, vertex, steps, rows)
-                     : AppendCurveVertex(mesh, tags, vertex, 3. / 4., scratch, rows);
-  };
-  AppendQuadVertices(
-    level, tags, begin, firstNew,
-    [&](const FanStep<Id>& step, Id* two) { GetVerticesOfQuad(mesh, step, two); }, append, rows);
-  std::vector<FanStep<Id>> steps;
-  for (vtkIdType vertex = std::max(begin, firstNew); vertex < end; ++vertex)
-  {
-    vertex += rows.AddRun(QuadsAtVertex, end - vertex,
-      [&](vtkIdType i, Id* columns)
-      {
-        columns[0] = static_cast<Id>(vertex + i);
-        return isSmooth(columns[0]) && FindRingOfNewPoint(mesh, columns[0], columns + 1);
-      });
-    if (vertex < end)
+  AppendPrimalVertices<4>(
+    level, tags, QuadsAtVertex, begin, end,
+    [&](const FanStep<Id>& step, Id* two) { GetVerticesOfQuad(mesh, step, two); },
+    [&mesh](Id vertex, Id* columns)
     {
-      const Id v = static_cast<Id>(vertex);
-      steps.clear();
-      if (isSmooth(v))
-      {
-        VisitCycle(
-          mesh, mesh.VertexCorners[v], [&](const FanStep<Id>& step) { steps.push_back(step); });
-      }
-      append(v, steps);
-      rows.EndRow();
-    }
-  }
+      columns[0] = vertex;
+      return FindRingOfNewPoint(mesh, vertex, columns + 1);
+    },
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps)
+    {
+      steps.empty() ? AppendCurveVertex(mesh, tags, vertex, 3. / 4., scratch, rows)
+                    : this->AppendSmoothVertex(mesh, vertex, steps, rows);
+    },
+    rows);
 }
 
 /// `steps`: of the walk around the vertex.
@@ -287,40 +212,20 @@ void CatmullClarkScheme<Id>::AppendEdge(
   }
   const Id corner = mesh.EdgeCorners[edge];
   const Id twin = mesh.Twins[corner];
-  double weights[2] = { 0., 0. };
-  FlatPoint<Id> flats[2];
-  int asking = 0;
-  int flat = 0;
-  for (int end = 0; end < 2 && this->ModifiedBoundary; ++end)
-  {
-    if (tags.Vertices[ends[end]] == VertexTag::Smooth)
+  const EdgeAtCurve<Id> rule(mesh, tags, edge, this->ModifiedBoundary,
+    [](double angle)
     {
-      continue;
-    }
-    const Id at = GetCornerAt(mesh, corner, ends[end]);
-    const double angle = FindAngleOfFace(mesh, tags, ends[end], at);
-    const double gamma = angle > 0. ? 3. / 8. - std::cos(angle) / 4. : 3. / 8.;
-    weights[end] += 5. / 8. - gamma;
-    weights[1 - end] += gamma - 1. / 8.;
-    ++asking;
-    flats[end] = FindFlatPoint(mesh, tags, ends[end], at, edge, false);
-    flat += flats[end].Flatness > 0.;
-  }
-  if (asking == 0)
-  {
-    weights[0] = weights[1] = 0.25;
-    asking = 1;
-  }
-  double kept = 1.; // weight of the point before Flatness moves it
-  for (const FlatPoint<Id>& point : flats)
-  {
-    kept -= point.Flatness / std::max(1, flat);
-  }
+      const double far = angle > 0. ? 3. / 8. - std::cos(angle) / 4. : 3. / 8.;
+      return std::array<double, 2>{ 5. / 8. - far, far - 1. / 8. };
+    });
+  const double kept = rule.Flat.GetKept();
+  const double own = rule.Size == 0 ? 0.25 : rule.Weights[0] / rule.Size;
+  const double other = rule.Size == 0 ? 0.25 : rule.Weights[1] / rule.Size;
   if (mesh.Arity == 4)
   {
     // The ends are in both faces.
-    rows.Add(ends[0], kept * (weights[0] / asking + 1. / 8.));
-    rows.Add(ends[1], kept * (weights[1] / asking + 1. / 8.));
+    rows.Add(ends[0], kept * (own + 1. / 8.));
+    rows.Add(ends[1], kept * (other + 1. / 8.));
     for (const Id halfEdge : { corner, twin })
     {
       const Id before = mesh.Previous(halfEdge);
@@ -330,47 +235,27 @@ void CatmullClarkScheme<Id>::AppendEdge(
   }
   else
   {
-    rows.Add(ends[0], kept * weights[0] / asking);
-    rows.Add(ends[1], kept * weights[1] / asking);
+    rows.Add(ends[0], kept * own);
+    rows.Add(ends[1], kept * other);
     AppendMean(mesh, mesh.GetFace(corner), kept / 4., rows);
     AppendMean(mesh, mesh.GetFace(twin), kept / 4., rows);
   }
-  for (const FlatPoint<Id>& point : flats)
-  {
-    if (point.Flatness > 0.)
-    {
-      point.Append(rows, point.Flatness / flat);
-    }
-  }
+  rule.Flat.Append(rows);
 }
 
 template <typename Id>
 void CatmullClarkScheme<Id>::AppendFace(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id face, RowBlock<Id>& rows) const
 {
-  double kept = 1.;
-  std::vector<FlatPoint<Id>> flats;
-  if (this->ModifiedBoundary && !tags.Sectors.empty())
+  FlatPoints<Id> flat;
+  const Id first = mesh.GetFirst(face);
+  const bool mayBeFlat = this->ModifiedBoundary && !tags.Sectors.empty();
+  for (Id c = first; mayBeFlat && c < first + mesh.GetSize(face); ++c)
   {
-    const Id first = mesh.GetFirst(face);
-    for (Id c = first; c < first + mesh.GetSize(face); ++c)
-    {
-      const FlatPoint<Id> point = FindFlatPoint(mesh, tags, mesh.Vertices[c], c, Id(-1), true);
-      if (point.Flatness > 0.)
-      {
-        flats.push_back(point);
-      }
-    }
-    for (const FlatPoint<Id>& point : flats)
-    {
-      kept -= point.Flatness / static_cast<double>(flats.size());
-    }
+    flat.Add(FindFlatPoint(mesh, tags, mesh.Vertices[c], c, Id(-1), true));
   }
-  AppendMean(mesh, face, kept, rows);
-  for (const FlatPoint<Id>& point : flats)
-  {
-    point.Append(rows, point.Flatness / static_cast<double>(flats.size()));
-  }
+  AppendMean(mesh, face, flat.GetKept(), rows);
+  flat.Append(rows);
 }
 
 }

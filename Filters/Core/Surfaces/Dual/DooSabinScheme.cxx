@@ -19,28 +19,13 @@ namespace
 /// its two points.
 constexpr double NearEnd = 3. / 4.;
 
-/// The face of a cycle has one corner in each face of the fan; the face of a chain has also the
-/// points of its two open sides.
-vtkIdType GetVertexFaceSize(vtkIdType k, bool cycle)
-{
-  return cycle ? k : k + 2;
-}
-
-/// The number of vertices of the next level besides the lone ones.
 template <typename Id>
-vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
-{
-  return level.Mesh.GetNumberOfCorners() + 2 * level.Dual->GetNumberOfOpenSides();
-}
+class DooSabinRefiner;
 
 template <typename Id>
-class DooSabinScheme : public SurfaceScheme<Id>
+class DooSabinScheme : public DualScheme<Id, DooSabinRefiner<Id>>
 {
 public:
-  bool NeedsTriangles() const override { return false; }
-  bool UsesTags() const override { return false; }
-  bool KeepsVertices() const override { return false; }
-  bool HalvesEdges() const override { return false; }
   DenseRows GetDenseRows() const override { return DenseRows::OfFaces; }
   FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 42., 145., 220. }; }
   double CountFaces(double faces, double corners, int steps) const override
@@ -48,52 +33,28 @@ public:
     return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
   }
 
+  /// The face of a chain has also the points of its two open sides.
   void Prepare(SurfaceLevel<Id>& level) const override
   {
-    level.Dual = CountDualPlaces(level, GetVertexFaceSize);
+    const auto places = CountDualPlaces(level, 2);
+    places->FirstLone = level.Mesh.GetNumberOfCorners() + 2 * places->GetNumberOfOpenSides();
+    places->HasQuads = true;
+    level.Dual = places;
     level.FanSizes = {}; // they are counted
-  }
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return GetFirstLone(level) + level.Dual->GetNumberOfLoneRows();
   }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
-  bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
-    const DualPlaces<Id>& places = *level.Dual;
-    const IdSegments& corners = segments.Corners;
-    AppendChildren(corners, 1, children.Vertices);
-    AppendCounted(corners, segments.Sizes, places.OpenSides, 2, children.Vertices);
-    AppendChildren(segments.Faces, 1, children.Faces);
-    AppendCounted(corners, segments.Sizes, places.Sides, 1, children.Faces);
-    AppendChildren(corners, 1, children.Corners);
-    AppendCounted(corners, segments.Sizes, places.Sides, 4, children.Corners);
+    AppendChildren(segments.Corners, 1, children.Vertices);
+    AppendCounted(segments.Corners, segments.Sizes, level.Dual->OpenSides, 2, children.Vertices);
     ListDualChildren(level, segments, children);
-  }
-  SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
-  {
-    return {};
-  }
-  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
-  {
-    const vtkIdType faces = level.Mesh.NumberOfFaces;
-    const vtkIdType sides = level.Dual->GetNumberOfSides();
-    return child < faces      ? child
-      : child < faces + sides ? level.Mesh.GetFace(FindByCount(level.Dual->Sides, child - faces))
-                              : FindOrientingFace(level, child - faces - sides, GetVertexFaceSize);
   }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
-  int GetCarrierPeriod() const override { return 0; }
-  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
-    Buffer<Carrier<Id>>& children) const override;
 
 private:
   /// The open side to which a row belongs; `isFirst` tells whether the point is near the beginning
@@ -148,7 +109,7 @@ void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surface
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType corners = mesh.GetNumberOfCorners();
-  const vtkIdType lone = GetFirstLone(level);
+  const vtkIdType lone = level.Dual->FirstLone;
   std::vector<double> weights;
   for (vtkIdType row = begin; row < end; ++row)
   {
@@ -194,7 +155,7 @@ void DooSabinScheme<Id>::GetParents(
   const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType lone = GetFirstLone(level);
+  const vtkIdType lone = level.Dual->FirstLone;
   if (row >= lone)
   {
     GetLoneParents(level, row - lone, parents);
@@ -214,20 +175,15 @@ void DooSabinScheme<Id>::GetParents(
 }
 
 template <typename Id>
-class DooSabinRefiner : DualRefiner<Id>
+class DooSabinRefiner : public DualRefiner<Id>
 {
   using typename DualRefiner<Id>::Fan;
 
 public:
   explicit DooSabinRefiner(const SurfaceLevel<Id>& level)
-    : DualRefiner<Id>(level, GetFirstLone(level), level.Dual->GetNumberOfSides(), GetVertexFaceSize)
+    : DualRefiner<Id>(level)
     , Corners(level.Mesh.GetNumberOfCorners())
   {
-  }
-
-  SurfaceLevel<Id> Run(Depth depth)
-  {
-    return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
   }
 
   template <typename Out>
@@ -294,7 +250,7 @@ private:
   vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
     const Id vertex = fan.Vertex;
-    const vtkIdType size = GetVertexFaceSize(static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
+    const vtkIdType size = this->Places.GetFaceSize(fan.Steps.size(), fan.IsCycle);
     for (const FanStep<Id>& step : fan.Steps)
     {
       this->SetFanSize(
@@ -429,46 +385,6 @@ void DooSabinScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Su
     limits.Append(static_cast<Id>(v), kind);
     rows.EndRow();
   }
-}
-
-template <typename Id>
-SurfaceLevel<Id> DooSabinScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
-{
-  return DooSabinRefiner<Id>(level).Run(depth);
-}
-
-template <typename Id>
-void DooSabinScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
-{
-  std::visit([&](auto* to) { DooSabinRefiner<Id>(level).WriteFaces(to); }, ids);
-}
-
-template <typename Id>
-void DooSabinScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
-  bool, Buffer<Carrier<Id>>& children) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const DualPlaces<Id>& places = *level.Dual;
-  const vtkIdType sides = places.GetNumberOfSides();
-  children = Buffer<Carrier<Id>>(mesh.NumberOfFaces + sides + places.GetNumberOfFaces());
-  std::copy(faces.begin(), faces.end(), children.begin());
-  Carrier<Id>* ofSides = children.data() + mesh.NumberOfFaces;
-  ForEach(mesh.GetNumberOfCorners(),
-    [&](vtkIdType c)
-    {
-      const Id corner = static_cast<Id>(c);
-      if (GetFirstOfSide(mesh, corner) == corner)
-      {
-        CommonCarrier<Id> common;
-        common.Add(faces[mesh.GetFace(corner)]);
-        if (mesh.Twins[c] >= 0)
-        {
-          common.Add(faces[mesh.GetFace(mesh.Twins[c])]);
-        }
-        ofSides[places.Sides[c]] = common.Get();
-      }
-    });
-  CarryFans<Id>(level, faces, GetVertexFaceSize, ofSides + sides);
 }
 
 }

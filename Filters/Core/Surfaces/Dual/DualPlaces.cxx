@@ -39,7 +39,7 @@ void CountSides(const PolygonMesh<Id>& mesh, DualPlaces<Id>& places)
 }
 
 template <typename Id>
-void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPlaces<Id>& places)
+void CountFans(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType vertices = mesh.NumberOfVertices;
@@ -54,9 +54,9 @@ void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPl
     Id chains = 0;
     Id fans = 0;
     forFans(
-      [&](vtkIdType k, bool cycle)
+      [&](std::size_t k, bool cycle)
       {
-        const vtkIdType face = size(k, cycle);
+        const vtkIdType face = places.GetFaceSize(k, cycle);
         faces += face >= 3;
         corners += face >= 3 ? static_cast<Id>(face) : 0;
         chains += !cycle;
@@ -72,8 +72,8 @@ void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPl
     set(vertex,
       [&](const auto& add)
       {
-        visitFans([&](Id, const std::vector<FanStep<Id>>& steps, bool cycle)
-          { add(static_cast<vtkIdType>(steps.size()), cycle); });
+        visitFans(
+          [&](Id, const std::vector<FanStep<Id>>& steps, bool cycle) { add(steps.size(), cycle); });
       });
   };
   const auto look = [&](vtkIdType vertex)
@@ -89,7 +89,7 @@ void CountFans(const SurfaceLevel<Id>& level, const VertexFaceSize& size, DualPl
       {
         if (k != 0)
         {
-          add(std::abs(k), k > 0);
+          add(static_cast<std::size_t>(std::abs(k)), k > 0);
         }
       });
   };
@@ -162,12 +162,12 @@ void CountLines(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
 }
 
 template <typename Id>
-std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
-  const SurfaceLevel<Id>& level, const VertexFaceSize& size)
+std::shared_ptr<DualPlaces<Id>> CountDualPlaces(const SurfaceLevel<Id>& level, int ofChain)
 {
   auto places = std::make_shared<DualPlaces<Id>>();
+  places->OfChain = ofChain;
   CountSides(level.Mesh, *places);
-  CountFans(level, size, *places);
+  CountFans(level, *places);
   CountLines(level, *places);
   for (Buffer<Id>* counts : { &places->Chains, &places->Kept })
   {
@@ -219,8 +219,7 @@ void AppendLoneLimit(const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, R
 }
 
 template <typename Id>
-Id FindOrientingFace(
-  const SurfaceLevel<Id>& level, vtkIdType vertexFace, const VertexFaceSize& size)
+Id FindOrientingFace(const SurfaceLevel<Id>& level, vtkIdType vertexFace)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id vertex = FindByCount(level.Dual->Faces, vertexFace);
@@ -231,7 +230,7 @@ Id FindOrientingFace(
     [&](Id corner)
     {
       const bool cycle = FindFanForward(mesh, corner, steps);
-      if (size(static_cast<vtkIdType>(steps.size()), cycle) >= 3 && left-- == 0)
+      if (level.Dual->GetFaceSize(steps.size(), cycle) >= 3 && left-- == 0)
       {
         face = mesh.GetFace(corner);
       }
@@ -254,9 +253,10 @@ void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vt
 }
 
 template <typename Id>
-void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next)
+void RefineLines(const SurfaceLevel<Id>& level, SurfaceLevel<Id>& next)
 {
   const DualPlaces<Id>& places = *level.Dual;
+  const vtkIdType first = places.FirstLone;
   next.Points = Buffer<Id>(level.Points.size());
   ForEach(level.Points.size(),
     [&](vtkIdType i) { next.Points[i] = static_cast<Id>(first + places.Kept[level.Points[i]]); });
@@ -287,17 +287,38 @@ void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id
 }
 
 template <typename Id>
-void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
-  const VertexFaceSize& size, Carrier<Id>* fans)
+void CarryDualFaces(
+  const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, Buffer<Carrier<Id>>& children)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
+  const DualPlaces<Id>& places = *level.Dual;
+  children =
+    Buffer<Carrier<Id>>(faces.size() + places.GetNumberOfQuads() + places.GetNumberOfFaces());
+  std::copy(faces.begin(), faces.end(), children.begin());
+  Carrier<Id>* const ofSides = children.data() + faces.size();
+  Carrier<Id>* const fans = ofSides + places.GetNumberOfQuads();
+  ForEach(places.HasQuads ? mesh.GetNumberOfCorners() : 0,
+    [&](vtkIdType c)
+    {
+      const Id corner = static_cast<Id>(c);
+      if (GetFirstOfSide(mesh, corner) == corner)
+      {
+        CommonCarrier<Id> common;
+        common.Add(faces[mesh.GetFace(corner)]);
+        if (mesh.Twins[c] >= 0)
+        {
+          common.Add(faces[mesh.GetFace(mesh.Twins[c])]);
+        }
+        ofSides[places.Sides[c]] = common.Get();
+      }
+    });
   const auto carry = [&](Id vertex, const auto& visitFans)
   {
-    Carrier<Id>* fan = fans + level.Dual->Faces[vertex];
+    Carrier<Id>* fan = fans + places.Faces[vertex];
     visitFans(
       [&](Id, const std::vector<FanStep<Id>>& steps, bool cycle)
       {
-        if (size(static_cast<vtkIdType>(steps.size()), cycle) < 3)
+        if (places.GetFaceSize(steps.size(), cycle) < 3)
         {
           return;
         }
@@ -324,6 +345,13 @@ void ListDualChildren(
     segments.Lines, segments.Sizes, [&first](vtkIdType line)
     { return std::lower_bound(first.begin(), first.end(), line) - first.begin(); },
     children.Vertices);
+  AppendChildren(segments.Faces, 1, children.Faces);
+  AppendChildren(segments.Corners, 1, children.Corners);
+  if (places.HasQuads)
+  {
+    AppendCounted(segments.Corners, segments.Sizes, places.Sides, 1, children.Faces);
+    AppendCounted(segments.Corners, segments.Sizes, places.Sides, 4, children.Corners);
+  }
   AppendCounted(segments.Vertices, segments.Sizes, places.Faces, 1, children.Faces);
   AppendCounted(segments.Vertices, segments.Sizes, places.Corners, 1, children.Corners);
   AppendChildren(segments.Lines, 2, children.Lines);
@@ -336,6 +364,6 @@ SUBDIVISION_COMPILE_FUNCTION(AppendLoneLimit);
 SUBDIVISION_COMPILE_FUNCTION(FindOrientingFace);
 SUBDIVISION_COMPILE_FUNCTION(GetLoneParents);
 SUBDIVISION_COMPILE_FUNCTION(RefineLines);
-SUBDIVISION_COMPILE_FUNCTION(CarryFans);
+SUBDIVISION_COMPILE_FUNCTION(CarryDualFaces);
 
 }

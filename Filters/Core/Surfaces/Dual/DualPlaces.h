@@ -22,7 +22,6 @@
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
-#include <functional>
 #include <vector>
 
 namespace subdivision
@@ -40,14 +39,23 @@ struct DualPlaces
   std::vector<Id> KeptVertices;
   std::vector<Id> Segments;   ///< of each line; lines on one edge are one segment
   std::vector<Id> FirstLines; ///< of each segment
-  std::vector<Id> Around; ///< for each kept vertex its two neighbours on a curve; the first is -1
-                          ///< if it is on none
+  std::vector<Id> Around;  ///< for each kept vertex its two neighbours on a curve; the first is -1
+                           ///< if it is on none
+  vtkIdType FirstLone = 0; ///< the number of vertices of the next level besides the lone ones
+  bool HasQuads = false;   ///< whether the next level has a face along each side
+  int OfChain = 0;         ///< how many corners more than faces of its fan the face of a chain has
 
+  /// The corners of the vertex face of a fan of k faces, a cycle or a chain; less than 3: none.
+  vtkIdType GetFaceSize(std::size_t k, bool cycle) const
+  {
+    return static_cast<vtkIdType>(k) + (cycle ? 0 : this->OfChain);
+  }
   vtkIdType GetNumberOfSides() const { return this->Sides[this->Sides.size() - 1]; }
   vtkIdType GetNumberOfOpenSides() const
   {
     return this->OpenSides.empty() ? 0 : this->OpenSides[this->OpenSides.size() - 1];
   }
+  vtkIdType GetNumberOfQuads() const { return this->HasQuads ? this->GetNumberOfSides() : 0; }
   vtkIdType GetNumberOfFaces() const { return this->Faces[this->Faces.size() - 1]; }
   vtkIdType GetNumberOfCorners() const { return this->Corners[this->Corners.size() - 1]; }
   vtkIdType GetNumberOfChains() const
@@ -69,12 +77,9 @@ struct DualPlaces
   }
 };
 
-/// The corners of the vertex face of a fan of k faces, a cycle or a chain; less than 3: none.
-using VertexFaceSize = std::function<vtkIdType(vtkIdType k, bool cycle)>;
-
+/// `ofChain`: DualPlaces::OfChain. FirstLone and HasQuads are left to the scheme.
 template <typename Id>
-std::shared_ptr<const DualPlaces<Id>> CountDualPlaces(
-  const SurfaceLevel<Id>& level, const VertexFaceSize& size);
+std::shared_ptr<DualPlaces<Id>> CountDualPlaces(const SurfaceLevel<Id>& level, int ofChain);
 
 /// Appends the row of lone vertex `row`: first come the children of kept vertices (cubic B-splines
 /// on curves), then the midpoints of lines.
@@ -82,12 +87,12 @@ template <typename Id>
 void AppendLoneRow(const SurfaceLevel<Id>& level, vtkIdType row, RowBlock<Id>& rows);
 template <typename Id>
 void GetLoneParents(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
-/// Makes the lines and vertex cells of the next level. `first` is its first lone vertex.
+/// Makes the lines and vertex cells of the next level.
 template <typename Id>
-void RefineLines(const SurfaceLevel<Id>& level, vtkIdType first, SurfaceLevel<Id>& next);
+void RefineLines(const SurfaceLevel<Id>& level, SurfaceLevel<Id>& next);
 
-/// Appends the segments that all dual schemes have: of lone vertices, of vertex faces, and of
-/// lines. Call it after all other vertices, faces and corners are listed.
+/// Appends the segments that all dual schemes have: of lone vertices, of faces, and of lines. Call
+/// it after all other vertices are listed.
 template <typename Id>
 void ListDualChildren(
   const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
@@ -101,15 +106,14 @@ void AppendCounted(const IdSegments& parents, const std::vector<vtkIdType>& size
     parents, sizes, [&](vtkIdType i) { return before.empty() ? 0 : ofEach * before[i]; }, children);
 }
 
-/// Writes the carriers of vertex faces: common carriers of the faces of their fans.
+/// SurfaceScheme::CarryFaces: common carriers of the faces at a side or of a fan.
 template <typename Id>
-void CarryFans(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces,
-  const VertexFaceSize& size, Carrier<Id>* fans);
+void CarryDualFaces(
+  const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, Buffer<Carrier<Id>>& children);
 
 /// The face of this level whose orientation vertex face number `vertexFace` has.
 template <typename Id>
-Id FindOrientingFace(
-  const SurfaceLevel<Id>& level, vtkIdType vertexFace, const VertexFaceSize& size);
+Id FindOrientingFace(const SurfaceLevel<Id>& level, vtkIdType vertexFace);
 
 /// Appends the entries of the limit row of a vertex without faces: on a curve the entries of the
 /// cubic B-spline, otherwise the vertex stays.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file DualRefiner.h
- * Base class of the refiners of dual schemes: writes faces of the next level and joins their
- * half-edges.
+ * Base classes of the dual schemes and of their refiners, which write faces of the next level and
+ * join their half-edges.
  */
 #ifndef SubdivisionObjects_DualRefiner_h
 #define SubdivisionObjects_DualRefiner_h
@@ -18,36 +18,30 @@ namespace subdivision
 template <typename Id>
 class DualRefiner
 {
-protected:
-  /// The next level has `vertices` vertices besides the lone ones, and `quads` faces of four
-  /// corners between the faces inside old ones and the vertex faces.
-  DualRefiner(
-    const SurfaceLevel<Id>& level, vtkIdType vertices, vtkIdType quads, VertexFaceSize size)
+public:
+  explicit DualRefiner(const SurfaceLevel<Id>& level)
     : Level(level)
     , Mesh(level.Mesh)
     , Places(*level.Dual)
-    , FirstLone(vertices)
-    , FirstVertexFace(level.Mesh.NumberOfFaces + quads)
-    , FirstVertexCorner(level.Mesh.GetNumberOfCorners() + 4 * quads)
-    , Size(std::move(size))
+    , FirstVertexFace(level.Mesh.NumberOfFaces + level.Dual->GetNumberOfQuads())
+    , FirstVertexCorner(level.Mesh.GetNumberOfCorners() + 4 * level.Dual->GetNumberOfQuads())
   {
   }
-  ~DualRefiner() = default;
 
-  /// Makes the next level. writeFaces(ids) writes the vertices of its faces and, on a whole level,
-  /// joins their half-edges.
+  /// Makes the next level. writeFaces(ids) writes the vertices of its faces and joins their
+  /// half-edges.
   template <typename WriteFaces>
   SurfaceLevel<Id> MakeNext(Depth depth, const WriteFaces& writeFaces)
   {
-    this->Whole = !IsLast(depth);
+    this->Whole = depth != Depth::ForCounts;
     this->Next.Step = this->Level.Step + 1;
-    RefineLines(this->Level, this->FirstLone, this->Next);
+    RefineLines(this->Level, this->Next);
     PolygonMesh<Id>& out = this->Next.Mesh;
-    out.NumberOfVertices = this->FirstLone + this->Places.GetNumberOfLoneRows();
+    out.NumberOfVertices = this->Places.FirstLone + this->Places.GetNumberOfLoneRows();
     out.NumberOfFaces = this->FirstVertexFace + this->Places.GetNumberOfFaces();
     const vtkIdType size = this->FirstVertexCorner + this->Places.GetNumberOfCorners();
     // Quads at the end of a level that has its counts only have no offsets.
-    const bool areQuads = depth == Depth::ForCounts && this->AreVertexFacesQuads();
+    const bool areQuads = !this->Whole && this->AreVertexFacesQuads();
     const vtkIdType faces = areQuads ? this->Mesh.NumberOfFaces : out.NumberOfFaces;
     out.FaceOffsets = Buffer<Id>(faces + 1);
     out.FaceOffsets[faces] = static_cast<Id>(areQuads ? this->Mesh.GetNumberOfCorners() : size);
@@ -64,17 +58,15 @@ protected:
         });
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
       this->Next.FanSizes = Buffer<signed char>(out.NumberOfVertices, 0);
-      std::fill(
-        out.VertexCorners.begin() + this->FirstLone, out.VertexCorners.end(), static_cast<Id>(-1));
-    }
-    if (depth != Depth::ForCounts)
-    {
+      std::fill(out.VertexCorners.begin() + this->Places.FirstLone, out.VertexCorners.end(),
+        static_cast<Id>(-1));
       out.Vertices = Buffer<Id>(size);
       writeFaces(out.Vertices.data());
     }
     return std::move(this->Next);
   }
 
+protected:
   struct Fan
   {
     Id Vertex;
@@ -132,10 +124,8 @@ protected:
   const SurfaceLevel<Id>& Level;
   const PolygonMesh<Id>& Mesh;
   const DualPlaces<Id>& Places;
-  const vtkIdType FirstLone;
   const vtkIdType FirstVertexFace;
   const vtkIdType FirstVertexCorner;
-  const VertexFaceSize Size;
 
 private:
   /// Whether there is one vertex face at each vertex, and all have four corners.
@@ -180,7 +170,7 @@ private:
           [&](Id corner)
           {
             const bool cycle = FindFanForward(this->Mesh, corner, steps);
-            const vtkIdType size = this->Size(static_cast<vtkIdType>(steps.size()), cycle);
+            const vtkIdType size = this->Places.GetFaceSize(steps.size(), cycle);
             if (size >= 3)
             {
               *to++ = at;
@@ -192,6 +182,48 @@ private:
 
   bool Whole = false;
   SurfaceLevel<Id> Next;
+};
+
+/// `Refiner`: derived from DualRefiner, with WriteFaces(ids).
+template <typename Id, typename Refiner>
+class DualScheme : public SurfaceScheme<Id>
+{
+public:
+  bool NeedsTriangles() const override { return false; }
+  bool IsDual() const override { return true; }
+  bool HalvesEdges() const override { return false; }
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return level.Dual->FirstLone + level.Dual->GetNumberOfLoneRows();
+  }
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
+  {
+    Refiner refiner(level);
+    return refiner.MakeNext(depth, [&refiner](Id* ids) { refiner.WriteFaces(ids); });
+  }
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
+  {
+    std::visit([&level](auto* to) { Refiner(level).WriteFaces(to); }, ids);
+  }
+  SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
+  {
+    return {};
+  }
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
+  {
+    const DualPlaces<Id>& places = *level.Dual;
+    const vtkIdType side = child - level.Mesh.NumberOfFaces;
+    return side < 0 ? child
+      : side < places.GetNumberOfQuads()
+      ? level.Mesh.GetFace(FindByCount(places.Sides, side))
+      : FindOrientingFace(level, side - places.GetNumberOfQuads());
+  }
+  int GetCarrierPeriod() const override { return 0; }
+  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
+    Buffer<Carrier<Id>>& children) const override
+  {
+    CarryDualFaces(level, faces, children);
+  }
 };
 
 }

@@ -22,52 +22,32 @@ bool KeepsChains(const SurfaceLevel<Id>& level)
   return level.Step % 2 == 0; // the first step is an odd one
 }
 
-/// The sides of the fan, and the vertex of a chain if it is kept.
 template <typename Id>
-vtkIdType GetVertexFaceSize(const SurfaceLevel<Id>& level, vtkIdType k, bool cycle)
-{
-  return cycle ? k : k + 1 + KeepsChains(level);
-}
-
-/// The number of vertices of the next level besides the lone ones.
-template <typename Id>
-vtkIdType GetFirstLone(const SurfaceLevel<Id>& level)
-{
-  return level.Dual->GetNumberOfSides() +
-    (KeepsChains(level) ? level.Dual->GetNumberOfChains() : 0);
-}
+class MidedgeRefiner;
 
 template <typename Id>
-class MidedgeScheme : public SurfaceScheme<Id>
+class MidedgeScheme : public DualScheme<Id, MidedgeRefiner<Id>>
 {
 public:
-  bool NeedsTriangles() const override { return false; }
-  bool UsesTags() const override { return false; }
-  bool KeepsVertices() const override { return false; }
-  bool HalvesEdges() const override { return false; }
   FaceMemory GetFaceMemory() const override { return { 40., 1., 50., 118., 215., 290. }; }
   double CountFaces(double faces, double corners, int steps) const override
   {
     return steps > 0 ? corners * std::pow(2., steps - 2) : faces;
   }
 
+  /// The face of a chain has all sides of its fan, and the vertex if it is kept.
   void Prepare(SurfaceLevel<Id>& level) const override
   {
-    level.Dual = CountDualPlaces(
-      level, [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); });
+    const bool keeps = KeepsChains(level);
+    const auto places = CountDualPlaces(level, keeps ? 2 : 1);
+    places->FirstLone = places->GetNumberOfSides() + (keeps ? places->GetNumberOfChains() : 0);
+    level.Dual = places;
     level.FanSizes = {}; // they are counted
-  }
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return GetFirstLone(level) + level.Dual->GetNumberOfLoneRows();
   }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
-  bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
   void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const override
   {
@@ -77,34 +57,10 @@ public:
     {
       AppendCounted(segments.Vertices, segments.Sizes, places.Chains, 1, children.Vertices);
     }
-    AppendChildren(segments.Faces, 1, children.Faces);
-    AppendChildren(segments.Corners, 1, children.Corners);
     ListDualChildren(level, segments, children);
-  }
-  SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>&, const SurfaceTags<Id>&) const override
-  {
-    return {};
-  }
-  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
-  {
-    const vtkIdType faces = level.Mesh.NumberOfFaces;
-    return child < faces ? child
-                         : FindOrientingFace(
-                             level, child - faces, [&level](vtkIdType k, bool cycle)
-                             { return GetVertexFaceSize(level, k, cycle); });
   }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
-  int GetCarrierPeriod() const override { return 0; }
-  void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
-    Buffer<Carrier<Id>>& children) const override
-  {
-    children = Buffer<Carrier<Id>>(faces.size() + level.Dual->GetNumberOfFaces());
-    std::copy(faces.begin(), faces.end(), children.begin());
-    CarryFans<Id>(
-      level, faces, [&level](vtkIdType k, bool cycle)
-      { return GetVertexFaceSize(level, k, cycle); }, children.data() + faces.size());
-  }
 };
 
 template <typename Id>
@@ -114,7 +70,7 @@ void MidedgeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceT
   const PolygonMesh<Id>& mesh = level.Mesh;
   const DualPlaces<Id>& places = *level.Dual;
   const vtkIdType sides = places.GetNumberOfSides();
-  const vtkIdType lone = GetFirstLone(level);
+  const vtkIdType lone = level.Dual->FirstLone;
   Id corner = begin < sides ? FindByCount(places.Sides, begin) : 0;
   for (vtkIdType row = begin; row < end; ++row)
   {
@@ -145,7 +101,7 @@ void MidedgeScheme<Id>::GetParents(
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const vtkIdType sides = level.Dual->GetNumberOfSides();
-  const vtkIdType lone = GetFirstLone(level);
+  const vtkIdType lone = level.Dual->FirstLone;
   if (row >= lone)
   {
     GetLoneParents(level, row - lone, parents);
@@ -162,22 +118,16 @@ void MidedgeScheme<Id>::GetParents(
 }
 
 template <typename Id>
-class MidedgeRefiner : DualRefiner<Id>
+class MidedgeRefiner : public DualRefiner<Id>
 {
   using typename DualRefiner<Id>::Fan;
 
 public:
   explicit MidedgeRefiner(const SurfaceLevel<Id>& level)
-    : DualRefiner<Id>(level, GetFirstLone(level), 0,
-        [&level](vtkIdType k, bool cycle) { return GetVertexFaceSize(level, k, cycle); })
+    : DualRefiner<Id>(level)
     , Sides(level.Dual->GetNumberOfSides())
     , Keeps(KeepsChains(level))
   {
-  }
-
-  SurfaceLevel<Id> Run(Depth depth)
-  {
-    return this->MakeNext(depth, [this](Id* ids) { this->WriteFaces(ids); });
   }
 
   template <typename Out>
@@ -244,8 +194,7 @@ private:
   template <typename Out>
   vtkIdType SetFan(const Fan& fan, Id at, Out* ids)
   {
-    const vtkIdType size =
-      GetVertexFaceSize(this->Level, static_cast<vtkIdType>(fan.Steps.size()), fan.IsCycle);
+    const vtkIdType size = this->Places.GetFaceSize(fan.Steps.size(), fan.IsCycle);
     const Id last = this->GetInside(fan.Steps.back());
     if (size < 3)
     {
@@ -359,18 +308,6 @@ void MidedgeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const Sur
     }
     rows.EndRow();
   }
-}
-
-template <typename Id>
-SurfaceLevel<Id> MidedgeScheme<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
-{
-  return MidedgeRefiner<Id>(level).Run(depth);
-}
-
-template <typename Id>
-void MidedgeScheme<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
-{
-  std::visit([&](auto* to) { MidedgeRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 }

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FourEightMasks.h
- * Weights of the limits of the 4-8 scheme (Mathematics 12), at a vertex around which all is regular
- * (FourEightStar.h).
+ * Weights of the 4-8 scheme (Mathematics 12): of rows, and of limits at a vertex around which all
+ * is regular (FourEightStar.h).
  */
 #ifndef SubdivisionObjects_FourEightMasks_h
 #define SubdivisionObjects_FourEightMasks_h
 
+#include <array>
+
 namespace subdivision
 {
+
+/// The rows that many have: of a smooth vertex and its four neighbours.
+inline constexpr std::array<double, 5> FourEightVertex{ 1. / 2., 1. / 8., 1. / 8., 1. / 8.,
+  1. / 8. };
+/// And of the centre of a quad.
+inline constexpr std::array<double, 4> FourEightCentre{ 1. / 4., 1. / 4., 1. / 4., 1. / 4. };
 
 /// The sums of the weights of a limit position: of the vertex, of its neighbours, of the opposite
 /// corners of its faces, of the vertices straight ahead, and of the knight's moves.

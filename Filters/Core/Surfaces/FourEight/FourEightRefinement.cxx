@@ -2,6 +2,7 @@
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Surfaces/Scheme/SplitJoints.h"
 
 namespace subdivision
 {
@@ -24,7 +25,7 @@ public:
     SurfaceLevel<Id> next;
     next.Step = this->Level.Step + 1;
     PolygonMesh<Id>& out = next.Mesh;
-    const bool isLast = IsLast(depth);
+    const bool isLast = depth == Depth::ForCounts;
     const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed());
     const vtkIdType corners = this->Children.GetNumberOfCorners();
     const vtkIdType edges = this->Children.GetNumberOfEdges();
@@ -36,11 +37,6 @@ public:
       out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
       out.CornerFaces = Buffer<Id>(isLast ? 0 : corners);
       this->SetOffsets(out);
-    }
-    if (depth != Depth::ForCounts)
-    {
-      out.Vertices = Buffer<Id>(corners);
-      this->WriteFaces(out.Vertices.data());
     }
     out.EdgesNotStored = hasEdges ? 0 : edges;
     if (hasEdges || !this->Level.Lines.empty())
@@ -56,17 +52,16 @@ public:
     }
     if (!isLast)
     {
+      out.Vertices = Buffer<Id>(corners);
+      this->WriteFaces(out.Vertices.data());
       out.Twins = Buffer<Id>(corners);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-    }
-    if (!isLast)
-    {
       ForEach(
         this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->SetInside(static_cast<Id>(f), out); });
       this->SetVertexCorners(out);
-      this->SplitJoints(out);
+      SplitJoints(this->Mesh, PiecesIn{ *this, out }, out);
     }
-    this->SplitLines(next.Lines);
+    next.Lines = SplitLines(this->Level.Lines, PiecesIn{ *this, out });
     return next;
   }
 
@@ -78,8 +73,27 @@ public:
   }
 
 private:
-  using Joint = typename PolygonMesh<Id>::Joint;
-  using Sheaf = typename PolygonMesh<Id>::Sheaf;
+  /// For SplitJoints.h.
+  struct PiecesIn
+  {
+    const FourEightRefiner& Refiner;
+    const PolygonMesh<Id>& Out;
+
+    int GetNumberOfPieces() const { return this->Refiner.Children.IsEven ? 2 : 1; }
+    Id GetPiece(Id edge, int i) const { return this->Refiner.Children.GetPiece(edge, i); }
+    Id GetPoint(Id edge, int) const { return this->Refiner.Children.GetMiddle(edge); }
+    Id GetOnPiece(Id corner, int i) const { return this->Refiner.GetOnPiece(corner, i); }
+    Id GetCornerAt(Id corner, int) const
+    {
+      const Id middle = this->Refiner.Children.GetMiddle(this->Refiner.Mesh.Edges[corner]);
+      return this->Refiner.GetCornerAt(this->GetOnPiece(corner, 0), middle, this->Out);
+    }
+    Id GetCornerInFan(Id corner) const
+    {
+      return this->Refiner.GetCornerAt(this->Refiner.Children.GetHalfEdgeAt(corner),
+        this->Refiner.Mesh.Vertices[corner], this->Out);
+    }
+  };
 
   bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
@@ -280,81 +294,6 @@ private:
       });
   }
 
-  /// The children of joints are joints, and sheaves or their halves are sheaves. In even steps the
-  /// middles of sheaves and free edges become joints.
-  void SplitJoints(PolygonMesh<Id>& out) const
-  {
-    std::vector<Id> freeEdges;
-    for (const Joint& joint : this->Mesh.Joints)
-    {
-      Joint child{ joint.Vertex, {}, {} };
-      for (Id corner : joint.Fans)
-      {
-        child.Fans.push_back(
-          this->GetCornerAt(this->Children.GetHalfEdgeAt(corner), joint.Vertex, out));
-      }
-      for (Id edge : joint.FreeEdges)
-      {
-        const int end = this->Children.GetEnd(edge, joint.Vertex);
-        child.FreeEdges.push_back(this->Children.GetPiece(edge, end));
-        if (end == 0)
-        {
-          freeEdges.push_back(edge);
-        }
-      }
-      out.Joints.push_back(std::move(child));
-    }
-    auto addJoint = [&](Id edge, std::vector<Id> fans, std::vector<Id> edges)
-    {
-      const Id middle = this->Children.GetMiddle(edge);
-      out.VertexCorners[middle] = static_cast<Id>(-2 - static_cast<vtkIdType>(out.Joints.size()));
-      out.Joints.push_back({ middle, std::move(fans), std::move(edges) });
-    };
-    const int pieces = this->Children.IsEven ? 2 : 1;
-    for (std::size_t i = 0; i < freeEdges.size() && pieces == 2; ++i)
-    {
-      const Id edge = freeEdges[i];
-      addJoint(edge, {}, { this->Children.GetPiece(edge, 0), this->Children.GetPiece(edge, 1) });
-    }
-    for (const Sheaf& sheaf : this->Mesh.Sheaves)
-    {
-      for (int end = 0; end < pieces; ++end)
-      {
-        Sheaf piece{ this->Children.GetPiece(sheaf.Edge, end), {} };
-        for (Id corner : sheaf.Corners)
-        {
-          piece.Corners.push_back(this->GetOnPiece(corner, end));
-        }
-        out.Sheaves.push_back(std::move(piece));
-      }
-      if (pieces == 2)
-      {
-        std::vector<Id> fans;
-        for (Id corner : sheaf.Corners)
-        {
-          fans.push_back(this->GetCornerAt(
-            this->GetOnPiece(corner, 0), this->Children.GetMiddle(sheaf.Edge), out));
-        }
-        addJoint(sheaf.Edge, std::move(fans), {});
-      }
-    }
-  }
-
-  void SplitLines(Buffer<Id>& lines) const
-  {
-    const Buffer<Id>& old = this->Level.Lines;
-    const int pieces = this->Children.IsEven ? 2 : 1;
-    lines = Buffer<Id>(pieces * old.size());
-    ForEach(lines.size(),
-      [&](vtkIdType i)
-      {
-        const Id line = old[i / pieces];
-        const Id against = line % 2;
-        const int end = static_cast<int>((i % pieces + against) % 2);
-        lines[i] = 2 * this->Children.GetPiece(line / 2, end) + against;
-      });
-  }
-
   const SurfaceLevel<Id>& Level;
   const PolygonMesh<Id>& Mesh;
   FourEightTopology<Id> Children;
@@ -363,7 +302,7 @@ private:
 }
 
 template <typename Id>
-void CountFourEightPlaces(SurfaceLevel<Id>& level)
+void FourEightRefinement<Id>::Prepare(SurfaceLevel<Id>& level) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const bool isEven = level.Step % 2 == 1;
@@ -411,13 +350,16 @@ void CountFourEightPlaces(SurfaceLevel<Id>& level)
   }
 }
 
+namespace
+{
+
+/// `ofEdges`: the tags of edges too.
 template <typename Id>
-SurfaceTags<Id> RefineFourEightTags(
-  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool hasEdges)
+SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
 {
   const FourEightTopology<Id> children(level);
   SurfaceTags<Id> out;
-  out.Edges = Buffer<EdgeTag>(hasEdges ? children.GetNumberOfEdges() : 0);
+  out.Edges = Buffer<EdgeTag>(ofEdges ? children.GetNumberOfEdges() : 0);
   out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
   ForEach(out.Edges.size(), [&](vtkIdType e)
     { out.Edges[e] = e < children.GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth; });
@@ -432,26 +374,35 @@ SurfaceTags<Id> RefineFourEightTags(
   return out;
 }
 
+}
+
 template <typename Id>
-void WriteFourEight(const SurfaceLevel<Id>& level, IdsOut ids)
+SurfaceTags<Id> FourEightRefinement<Id>::RefineTags(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const
+{
+  return MakeTags(level, tags, true);
+}
+
+template <typename Id>
+void FourEightRefinement<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
 {
   std::visit([&](auto* to) { FourEightRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 template <typename Id>
-SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth)
+SurfaceLevel<Id> FourEightRefinement<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
   SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
-  if (!IsLast(depth))
+  if (depth != Depth::ForCounts)
   {
-    next.Tags = RefineFourEightTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
+    next.Tags = MakeTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
   }
   return next;
 }
 
 template <typename Id>
-void ListFourEightChildren(
-  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children)
+void FourEightRefinement<Id>::ListChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children) const
 {
   const FourEightTopology<Id> topology(level);
   const auto append = [&](const IdSegments& parents, const auto& before, IdSegments& list)
@@ -477,10 +428,6 @@ void ListFourEightChildren(
   AppendChildren(segments.Lines, pieces, children.Lines);
 }
 
-SUBDIVISION_COMPILE_FUNCTION(CountFourEightPlaces);
-SUBDIVISION_COMPILE_FUNCTION(ListFourEightChildren);
-SUBDIVISION_COMPILE_FUNCTION(RefineFourEight);
-SUBDIVISION_COMPILE_FUNCTION(RefineFourEightTags);
-SUBDIVISION_COMPILE_FUNCTION(WriteFourEight);
+SUBDIVISION_COMPILE(class FourEightRefinement);
 
 }

@@ -11,28 +11,28 @@
 namespace subdivision
 {
 
-/// Sets SurfaceLevel::Places, the running counts of FourEightTopology.h.
+/// Base class of the scheme: all but its rows.
 template <typename Id>
-void CountFourEightPlaces(SurfaceLevel<Id>& level);
-
-template <typename Id>
-SurfaceLevel<Id> RefineFourEight(const SurfaceLevel<Id>& level, Depth depth);
-
-/// The vertices of the faces of the next level, one face after the other.
-template <typename Id>
-void WriteFourEight(const SurfaceLevel<Id>& level, IdsOut ids);
-
-/// Tags of the next level: fixed edges, or their halves, are sharp, and their midpoints lie on
-/// curves. Old vertices keep their tags, and all else is smooth. Without fixed edges the next level
-/// need not store its edges, and then has no tags of them.
-template <typename Id>
-SurfaceTags<Id> RefineFourEightTags(
-  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool hasEdges = true);
-
-/// The order of ids after a step.
-template <typename Id>
-void ListFourEightChildren(
-  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
+class FourEightRefinement : public SurfaceScheme<Id>
+{
+public:
+  bool HalvesEdges() const override { return false; }
+  /// Sets SurfaceLevel::Places, the running counts of FourEightTopology.h.
+  void Prepare(SurfaceLevel<Id>& level) const override;
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return FourEightTopology<Id>(level).GetNumberOfVertices();
+  }
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
+  /// Fixed edges, or their halves, are sharp, and their midpoints lie on curves. Old vertices keep
+  /// their tags, and all else is smooth.
+  SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override;
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override;
+  int GetCarrierPeriod() const override { return 2; }
+};
 
 }
 

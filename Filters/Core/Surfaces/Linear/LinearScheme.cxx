@@ -10,7 +10,7 @@ namespace
 {
 
 template <typename Id>
-class LinearSurfaceScheme : public QuarteringScheme<Id>
+class LinearSurfaceScheme : public PrimalScheme<Id, 3>
 {
 public:
   bool HasLimitStars() const override { return false; }

@@ -4,14 +4,13 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Loop/LoopRegular.h"
-#include "Core/Surfaces/Loop/LoopRowsOfNext.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
-#include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/SectorRows.h"
 #include "Core/Surfaces/Scheme/SurfaceLimits.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <iterator>
 
 namespace subdivision
 {
@@ -19,14 +18,11 @@ namespace
 {
 
 template <typename Id>
-class LoopScheme : public QuarteringScheme<Id>
+class LoopScheme : public PrimalScheme<Id, 3>
 {
 public:
   LoopScheme(bool modifiedBoundary, LoopWeights weights)
-    : QuarteringScheme<Id>([weights](const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
-                             vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
-        { AppendLoopRowsOfNext(level, weights, others, begin, end, rows); })
-    , ModifiedBoundary(modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
     , Weights(weights)
   {
   }
@@ -38,21 +34,28 @@ public:
   }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
-
+  bool SkipsNext(const SurfaceLevel<Id>&) const override { return true; }
+  void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    AppendPrimalRowsOfNext<3>(
+      level, LoopVertex, LoopEdge,
+      [&](Id vertex, const std::vector<FanStep<Id>>& steps, const auto& members)
+      { AppendLoopVertex(vertex, this->Weights, steps, members, rows); }, others, begin, end, rows);
+  }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    LimitFinder<Id>(level, tags, *this, this->ModifiedBoundary, this->Weights)
+      .AppendRows(kind, begin, end, rows);
+  }
 
 private:
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-    vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  void AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id vertex,
-    std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  void AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
-    std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  void AppendBlendEdge(
-    const SurfaceLevel<Id>& level, Id edge, std::vector<Id>& ring, RowBlock<Id>& rows) const;
-  void AppendEdgeAtCurve(
-    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
+    vtkIdType end, RowBlock<Id>& rows) const;
+  void AppendEdge(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const;
+  void AppendBlendEdge(const SurfaceLevel<Id>& level, Id edge, RowBlock<Id>& rows) const;
 
   bool ModifiedBoundary;
   LoopWeights Weights;
@@ -62,94 +65,75 @@ template <typename Id>
 void LoopScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
-  const vtkIdType vertices = level.Mesh.NumberOfVertices;
-  std::vector<Id> ring;
-  this->AppendVertices(level, tags, begin, std::min(end, vertices), ring, rows);
   const PolygonMesh<Id>& mesh = level.Mesh;
   const auto isOnCurve = [&tags](Id v)
   { return tags.Vertices[v] == VertexTag::Curve || tags.Vertices[v] == VertexTag::Corner; };
-  for (vtkIdType row = std::max(begin, vertices); row < end; ++row)
+  const auto findEdge = [&](vtkIdType edge, Id* columns)
   {
-    row += rows.AddRun(LoopEdge, end - row,
-      [&](vtkIdType i, Id* columns)
-      {
-        const Id edge = static_cast<Id>(row + i - vertices);
-        columns[0] = mesh.EdgeVertices[2 * edge];
-        columns[1] = mesh.EdgeVertices[2 * edge + 1];
-        if (tags.Edges[edge] != EdgeTag::Smooth || isOnCurve(columns[0]) || isOnCurve(columns[1]))
-        {
-          return false;
-        }
-        const Id corner = mesh.EdgeCorners[edge];
-        columns[2] = mesh.Vertices[mesh.Previous(corner)];
-        columns[3] = mesh.Vertices[mesh.Previous(mesh.Twins[corner])];
-        return true;
-      });
-    if (row < end)
+    columns[0] = mesh.EdgeVertices[2 * edge];
+    columns[1] = mesh.EdgeVertices[2 * edge + 1];
+    if (tags.Edges[edge] != EdgeTag::Smooth || isOnCurve(columns[0]) || isOnCurve(columns[1]))
     {
-      this->AppendEdge(level, tags, static_cast<Id>(row - vertices), ring, rows);
-      rows.EndRow();
+      return false;
     }
-  }
+    const Id corner = mesh.EdgeCorners[edge];
+    columns[2] = mesh.Vertices[mesh.Previous(corner)];
+    columns[3] = mesh.Vertices[mesh.Previous(mesh.Twins[corner])];
+    return true;
+  };
+  ForKindsOfRows<2>({ mesh.NumberOfVertices, mesh.GetNumberOfEdges() }, begin, end,
+    [&](std::size_t kind, vtkIdType first, vtkIdType last)
+    {
+      kind == 0 ? this->AppendVertices(level, tags, first, last, rows)
+                : AppendRegularGroups<1>(
+                    LoopEdge, first, last, findEdge, [&](vtkIdType edge)
+                    { this->AppendEdge(level, tags, static_cast<Id>(edge), rows); }, rows);
+    });
 }
 
 template <typename Id>
 void LoopScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-  vtkIdType begin, vtkIdType end, std::vector<Id>& ring, RowBlock<Id>& rows) const
+  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
-  const vtkIdType firstOnEdge =
-    level.VerticesBefore < 0 ? end : std::min<vtkIdType>(end, level.VerticesBefore);
-  AppendLoopVertices(
-    level, tags, this->Weights, begin, firstOnEdge,
-    [&](const FanStep<Id>& step) { return GetNeighbour(mesh, step); },
-    [&](Id vertex) { this->AppendVertex(mesh, tags, vertex, ring, rows); }, rows);
-  for (vtkIdType vertex = std::max(begin, firstOnEdge); vertex < end; ++vertex)
-  {
-    vertex += rows.AddRun(LoopVertex, end - vertex,
-      [&](vtkIdType i, Id* columns)
-      {
-        columns[0] = static_cast<Id>(vertex + i);
-        return isSmooth(vertex + i) && FindRingOfEdgePoint(mesh, columns[0], columns + 1);
-      });
-    if (vertex < end)
+  const auto members = [&mesh](const FanStep<Id>& step, Id* one)
+  { *one = GetNeighbour(mesh, step); };
+  std::vector<Id> edges;
+  AppendPrimalVertices<3>(
+    level, tags, LoopVertex, begin, end, members,
+    [&mesh](Id vertex, Id* columns)
     {
-      this->AppendVertex(mesh, tags, static_cast<Id>(vertex), ring, rows);
-      rows.EndRow();
-    }
-  }
-}
-
-/// Appends the row of a vertex that has not six neighbours around it, or is not smooth.
-template <typename Id>
-void LoopScheme<Id>::AppendVertex(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
-  Id vertex, std::vector<Id>& ring, RowBlock<Id>& rows) const
-{
-  if (tags.Vertices[vertex] == VertexTag::Smooth)
-  {
-    AppendLoopVertex(
-      mesh, vertex, this->Weights,
-      [&](const FanStep<Id>& step) { return GetNeighbour(mesh, step); }, rows);
-    return;
-  }
-  if (tags.Vertices[vertex] != VertexTag::Blend)
-  {
-    AppendCurveVertex(mesh, tags, vertex, 3. / 4., ring, rows);
-    return;
-  }
-  CollectEdges(mesh, vertex, [](Id) { return true; }, ring);
-  for (Id& member : ring)
-  {
-    member = mesh.GetOtherEnd(member, vertex);
-  }
-  AppendLoopRing(vertex, Rule::Blend, this->Weights, ring, rows);
+      columns[0] = vertex;
+      return FindRingOfEdgePoint(mesh, vertex, columns + 1);
+    },
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps)
+    {
+      if (!steps.empty())
+      {
+        AppendLoopVertex(vertex, this->Weights, steps, members, rows);
+        return;
+      }
+      if (tags.Vertices[vertex] != VertexTag::Blend)
+      {
+        AppendCurveVertex(mesh, tags, vertex, 3. / 4., edges, rows);
+        return;
+      }
+      CollectEdges(mesh, vertex, [](Id) { return true; }, edges);
+      const Mask mask =
+        VertexMask(Rule::Blend, static_cast<vtkIdType>(edges.size()), this->Weights);
+      rows.Add(vertex, mask.Own);
+      for (const Id edge : edges)
+      {
+        rows.Add(mesh.GetOtherEnd(edge, vertex), mask.Ring);
+      }
+    },
+    rows);
 }
 
 /// Appends the row of an edge that is not inside the smooth surface.
 template <typename Id>
-void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge,
-  std::vector<Id>& ring, RowBlock<Id>& rows) const
+void LoopScheme<Id>::AppendEdge(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id a = mesh.EdgeVertices[2 * edge];
@@ -162,69 +146,33 @@ void LoopScheme<Id>::AppendEdge(const SurfaceLevel<Id>& level, const SurfaceTags
   }
   if (tags.Edges[edge] == EdgeTag::Blend)
   {
-    this->AppendBlendEdge(level, edge, ring, rows);
+    this->AppendBlendEdge(level, edge, rows);
     return;
   }
-  this->AppendEdgeAtCurve(mesh, tags, edge, rows);
-}
-
-/// Appends the row of a smooth edge with one or both ends on curves or corners: the mean of the
-/// masks of these ends (Mathematics 12).
-template <typename Id>
-void LoopScheme<Id>::AppendEdgeAtCurve(
-  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, RowBlock<Id>& rows) const
-{
+  const EdgeAtCurve<Id> rule(mesh, tags, edge, this->ModifiedBoundary,
+    [](double angle)
+    {
+      const double far = angle > 0. ? GetFarEndWeight(angle) : PlainEndWeight;
+      return std::array<double, 2>{ 0.75 - far, far };
+    });
+  const double kept = rule.Flat.GetKept();
   const Id corner = mesh.EdgeCorners[edge];
-  double weights[2] = { 0., 0. };
-  FlatPoint<Id> flats[2];
-  int asking = 0;
-  int flat = 0;
-  for (int end = 0; end < 2; ++end)
-  {
-    const Id vertex = mesh.EdgeVertices[2 * edge + end];
-    if (tags.Vertices[vertex] != VertexTag::Curve && tags.Vertices[vertex] != VertexTag::Corner)
-    {
-      continue;
-    }
-    const Id at = GetCornerAt(mesh, corner, vertex);
-    const double angle = this->ModifiedBoundary ? FindAngleOfFace(mesh, tags, vertex, at) : 0.;
-    const double gamma = angle > 0. ? GetFarEndWeight(angle) : PlainEndWeight;
-    weights[end] += 0.75 - gamma;
-    weights[1 - end] += gamma;
-    ++asking;
-    if (this->ModifiedBoundary)
-    {
-      flats[end] = FindFlatPoint(mesh, tags, vertex, at, edge, false);
-      flat += flats[end].Flatness > 0.;
-    }
-  }
-  double kept = 1.; // weight of the point before Flatness moves it
-  for (const FlatPoint<Id>& point : flats)
-  {
-    kept -= point.Flatness / std::max(1, flat);
-  }
-  rows.Add(mesh.EdgeVertices[2 * edge], kept * weights[0] / asking);
-  rows.Add(mesh.EdgeVertices[2 * edge + 1], kept * weights[1] / asking);
+  rows.Add(a, kept * rule.Weights[0] / rule.Size);
+  rows.Add(b, kept * rule.Weights[1] / rule.Size);
   rows.Add(mesh.Vertices[mesh.Previous(corner)], kept / 8.);
   rows.Add(mesh.Vertices[mesh.Previous(mesh.Twins[corner])], kept / 8.);
-  for (const FlatPoint<Id>& point : flats)
-  {
-    if (point.Flatness > 0.)
-    {
-      point.Append(rows, point.Flatness / flat);
-    }
-  }
+  rule.Flat.Append(rows);
 }
 
 /// Appends the row of a Blend edge with its relief ring (Mathematics 6): the opposite vertices of
 /// all its faces and, on the control mesh, all other common neighbours of its ends.
 template <typename Id>
 void LoopScheme<Id>::AppendBlendEdge(
-  const SurfaceLevel<Id>& level, Id edge, std::vector<Id>& ring, RowBlock<Id>& rows) const
+  const SurfaceLevel<Id>& level, Id edge, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Id ends[2] = { mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] };
-  ring.clear();
+  std::vector<Id> ring;
   if (level.Step == 0)
   {
     std::vector<Id> around[2];
@@ -253,18 +201,6 @@ void LoopScheme<Id>::AppendBlendEdge(
   for (Id member : ring)
   {
     rows.Add(member, mask.Ring);
-  }
-}
-
-template <typename Id>
-void LoopScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
-{
-  LimitFinder<Id> finder(level, tags, *this, this->ModifiedBoundary, this->Weights);
-  for (vtkIdType v = begin; v < end; ++v)
-  {
-    finder.Append(static_cast<Id>(v), kind, rows);
-    rows.EndRow();
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file CurveTangents.h
- * Tangents of vertices on curves and of corners in sqrt(3) and 4-8.
+ * Tangents of vertices on curves and of corners in all schemes but Butterfly and the dual ones.
  */
 #ifndef SubdivisionObjects_CurveTangents_h
 #define SubdivisionObjects_CurveTangents_h
@@ -15,8 +15,9 @@ namespace subdivision
 
 /// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
 /// along the curve and across it; at a corner along the first sharp edge of the sector, and
-/// perpendicular to it in the plane of both. `ring` gets the other ends of the sector's edges.
-/// `across(ends, turn)` appends the tangent across a curve, times `turn`.
+/// perpendicular to it in the plane of both. There is none across a sector that ends at a Blend
+/// edge. `ring` gets the other ends of the sector's edges. `across(ends, turn)` appends the tangent
+/// across a curve, times `turn`.
 template <typename Id, typename Across>
 void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,
   LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows, const Across& across)
@@ -25,9 +26,11 @@ void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& t
   const bool isCurve = IsOnCurve(mesh, tags, vertex);
   const Id corner = FindTangentCorner(mesh, tags, vertex);
   const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
-  if (ends.Size == 0)
+  const auto isSharp = [&](Id halfEdge) { return IsSharp(tags.Edges[mesh.Edges[halfEdge]]); };
+  if (ends.Size == 0 || !isSharp(ends.First.GetHalfEdgeIn(mesh)) ||
+    !isSharp(ends.Last.GetHalfEdgeOut(mesh)))
   {
-    CollectSharpEdges(mesh, tags, vertex, ring);
+    CollectCurveEdges(mesh, tags, vertex, ring);
     if (isCurve && kind == LimitKind::Tangent1 && ring.size() == 2)
     {
       rows.Add(mesh.GetOtherEnd(ring[0], vertex), 1.);

@@ -8,6 +8,8 @@
 
 #include "Core/Operators/RowBlock.h"
 #include "Core/Surfaces/Mesh/CycleWalks.h"
+#include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/SurfaceScheme.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +57,34 @@ void AppendCycleRows(const PolygonMesh<Id>& mesh, const std::array<double, N>& w
       }
     }
   }
+}
+
+/// Appends the rows of vertices [begin, end). From `firstMade` on (-1: none) a step made them, and
+/// find(v, columns) writes the row of a smooth one that needs no walk, or returns false; before,
+/// regular(v, steps, columns) does as of AppendCycleRows. other(v, steps) appends the entries of
+/// any other vertex, with the walk around it if it is smooth.
+template <std::size_t N, typename Id, typename Regular, typename Find, typename Other>
+void AppendVertexRows(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags,
+  const std::array<double, N>& weights, vtkIdType firstMade, vtkIdType begin, vtkIdType end,
+  const Regular& regular, const Find& find, const Other& other, RowBlock<Id>& rows)
+{
+  const auto isSmooth = [&tags](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
+  const vtkIdType first = firstMade < 0 ? end : std::min(end, std::max(begin, firstMade));
+  AppendCycleRows(mesh, weights, begin, first, isSmooth, regular, other, rows);
+  AppendRegularGroups<1>(
+    weights, first, end,
+    [&](vtkIdType v, Id* columns) { return isSmooth(v) && find(static_cast<Id>(v), columns); },
+    [&](vtkIdType v)
+    {
+      std::vector<FanStep<Id>> steps;
+      if (isSmooth(v))
+      {
+        VisitCycle(
+          mesh, mesh.VertexCorners[v], [&](const FanStep<Id>& step) { steps.push_back(step); });
+      }
+      other(static_cast<Id>(v), steps);
+    },
+    rows);
 }
 
 }

@@ -3,6 +3,9 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Surfaces/Scheme/SplitJoints.h"
+
+#include <type_traits>
 
 namespace subdivision
 {
@@ -233,15 +236,7 @@ public:
     out.NumberOfFaces = this->Children.GetNumberOfFaces();
     const vtkIdType corners = out.NumberOfFaces * Split::Arity;
     const vtkIdType edges = 2 * this->Mesh.GetNumberOfEdges() + this->Mesh.GetNumberOfCorners();
-    const bool isWhole = !IsLast(depth);
-    if (depth != Depth::ForCounts)
-    {
-      out.Vertices = Buffer<Id>(corners);
-    }
-    if (depth == Depth::ForOutput)
-    {
-      this->WriteFaces(out.Vertices.data());
-    }
+    const bool isWhole = depth != Depth::ForCounts;
     out.EdgesNotStored = isWhole ? 0 : edges;
     if (isWhole || !this->Level.Lines.empty())
     {
@@ -250,31 +245,31 @@ public:
     }
     if (isWhole)
     {
+      out.Vertices = Buffer<Id>(corners);
       out.Edges = Buffer<Id>(corners);
       out.Twins = Buffer<Id>(corners);
       out.EdgeCorners = Buffer<Id>(edges);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
       this->SplitFaces(out);
       this->SplitEdges(out);
-      this->SplitJoints(out);
+      SplitJoints(this->Mesh, *this, out);
     }
-    this->SplitLines(next.Lines);
+    next.Lines = SplitLines(this->Level.Lines, *this);
     return next;
   }
 
-  template <typename Out>
-  void WriteFaces(Out* ids) const
+  // For SplitJoints.h.
+  int GetNumberOfPieces() const { return 2; }
+  Id GetPiece(Id edge, int i) const { return 2 * edge + i; }
+  Id GetPoint(Id edge, int) const { return static_cast<Id>(this->Mesh.NumberOfVertices) + edge; }
+  Id GetOnPiece(Id corner, int i) const
   {
-    ForEach(this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->Children.SetVertices(f, ids); });
+    const Id edge = this->Mesh.Edges[corner];
+    const bool isStart = this->Mesh.EdgeVertices[2 * edge + i] == this->Mesh.Vertices[corner];
+    return isStart ? this->Children.GetStart(corner) : this->Children.GetEnd(corner);
   }
-
-  /// The faces of the level after the next one.
-  template <typename Out>
-  void WriteGrandchildren(Out* ids) const
-  {
-    ForEach(
-      this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->Children.SetGrandchildren(f, ids); });
-  }
+  Id GetCornerAt(Id corner, int) const { return this->Children.GetEnd(corner); }
+  Id GetCornerInFan(Id corner) const { return this->Children.GetStart(corner); }
 
 private:
   void SplitFaces(PolygonMesh<Id>& out) const
@@ -353,86 +348,132 @@ private:
       });
   }
 
-  /// The children of joints are joints, and the halves of a sheaf are sheaves. The edge points of
-  /// sheaves and free edges become joints.
-  void SplitJoints(PolygonMesh<Id>& out) const
-  {
-    std::vector<Id> freeEdges;
-    for (const auto& joint : InTurn(this->Mesh.Joints))
-    {
-      typename PolygonMesh<Id>::Joint child{ joint.Vertex, {}, {} };
-      for (Id corner : joint.Fans)
-      {
-        child.Fans.push_back(this->Children.GetStart(corner));
-      }
-      for (Id edge : joint.FreeEdges)
-      {
-        const bool isFirst = this->Mesh.EdgeVertices[2 * edge] == joint.Vertex;
-        child.FreeEdges.push_back(2 * edge + (isFirst ? 0 : 1));
-        if (isFirst)
-        {
-          freeEdges.push_back(edge);
-        }
-      }
-      out.Joints.push_back(std::move(child));
-    }
-    auto addJoint = [&](Id edge, std::vector<Id> fans, std::vector<Id> edges)
-    {
-      const Id vertex = static_cast<Id>(this->Mesh.NumberOfVertices) + edge;
-      out.VertexCorners[vertex] = static_cast<Id>(-2 - static_cast<vtkIdType>(out.Joints.size()));
-      out.Joints.push_back({ vertex, std::move(fans), std::move(edges) });
-    };
-    for (Id edge : InTurn(freeEdges))
-    {
-      addJoint(edge, {}, { 2 * edge, 2 * edge + 1 });
-    }
-    for (const auto& sheaf : InTurn(this->Mesh.Sheaves))
-    {
-      typename PolygonMesh<Id>::Sheaf first{ 2 * sheaf.Edge, {} };
-      typename PolygonMesh<Id>::Sheaf second{ 2 * sheaf.Edge + 1, {} };
-      std::vector<Id> fans;
-      for (Id corner : sheaf.Corners)
-      {
-        const Id start = this->Children.GetStart(corner);
-        const Id end = this->Children.GetEnd(corner);
-        const bool along = this->Mesh.EdgeVertices[2 * sheaf.Edge] == this->Mesh.Vertices[corner];
-        first.Corners.push_back(along ? start : end);
-        second.Corners.push_back(along ? end : start);
-        fans.push_back(end);
-      }
-      addJoint(sheaf.Edge, std::move(fans), {});
-      out.Sheaves.push_back(std::move(first));
-      out.Sheaves.push_back(std::move(second));
-    }
-  }
-
-  void SplitLines(Buffer<Id>& lines) const
-  {
-    lines = Buffer<Id>(2 * this->Level.Lines.size());
-    ForEach(this->Level.Lines.size(),
-      [&](vtkIdType i)
-      {
-        const Id edge = this->Level.Lines[i] / 2;
-        const Id against = this->Level.Lines[i] % 2;
-        lines[2 * i] = 2 * (2 * edge + against) + against;
-        lines[2 * i + 1] = 2 * (2 * edge + 1 - against) + against;
-      });
-  }
-
   const SurfaceLevel<Id>& Level;
   const PolygonMesh<Id>& Mesh;
   Split Children;
 };
 
-template <typename Id, typename Split>
-SurfaceTags<Id> InheritTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+template <typename Id, int Arity>
+using Split = std::conditional_t<Arity == 3, TriangleSplit<Id>, QuadSplit<Id>>;
+
+/// The corner before another, where all faces have Arity corners.
+template <int Arity>
+vtkIdType GetPrevious(vtkIdType corner)
 {
-  const Split children(level.Mesh);
+  return corner % Arity == 0 ? corner + Arity - 1 : corner - 1;
+}
+
+}
+
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::GetParents(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType edge = row - mesh.NumberOfVertices;
+  const vtkIdType face = edge - mesh.GetNumberOfEdges();
+  if (edge < 0)
+  {
+    parents.assign({ row });
+  }
+  else if (face < 0)
+  {
+    parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+  }
+  else
+  {
+    const Id* first = mesh.Vertices.data() + mesh.GetFirst(static_cast<Id>(face));
+    parents.assign(first, first + mesh.GetSize(static_cast<Id>(face)));
+  }
+}
+
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::GetParentsOfNext(
+  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
+{
+  const PolygonMesh<Id>& mesh = level.Mesh;
+  const vtkIdType edgePoints = mesh.NumberOfVertices;
+  const vtkIdType facePoints = edgePoints + mesh.GetNumberOfEdges();
+  const vtkIdType half = row - this->GetNumberOfRows(level);
+  const vtkIdType inside = half - 2 * mesh.GetNumberOfEdges();
+  const vtkIdType child = inside - mesh.GetNumberOfCorners();
+  if (half < 0)
+  {
+    parents.assign({ row });
+  }
+  else if (inside < 0)
+  {
+    parents.assign({ mesh.EdgeVertices[half], edgePoints + half / 2 });
+  }
+  else if (child < 0)
+  {
+    parents.assign({ edgePoints + mesh.Edges[inside],
+      Arity == 3 ? edgePoints + mesh.Edges[GetPrevious<Arity>(inside)] : facePoints + inside / 4 });
+  }
+  else
+  {
+    parents.assign({ mesh.Vertices[child], edgePoints + mesh.Edges[child], facePoints + child / 4,
+      edgePoints + mesh.Edges[GetPrevious<Arity>(child)] });
+  }
+}
+
+template <typename Id, int Arity>
+SurfaceLevel<Id> PrimalScheme<Id, Arity>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
+{
+  SurfaceLevel<Id> next = PrimalRefiner<Id, Split<Id, Arity>>(level).Run(depth);
+  if (depth != Depth::ForCounts)
+  {
+    next.Tags = this->RefineTags(level, level.Tags);
+  }
+  return next;
+}
+
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::ListChildren(
+  const SurfaceLevel<Id>&, const SurfaceSegments& segments, SurfaceSegments& children) const
+{
+  constexpr bool areQuads = Arity == 4;
+  AppendChildren(segments.Vertices, 1, children.Vertices);
+  AppendChildren(segments.Edges, 1, children.Vertices);
+  if (areQuads)
+  {
+    AppendChildren(segments.Faces, 1, children.Vertices);
+  }
+  AppendChildren(segments.Edges, 2, children.Edges);
+  AppendChildren(segments.Corners, 1, children.Edges);
+  const IdSegments& parents = areQuads ? segments.Corners : segments.Faces;
+  AppendChildren(parents, areQuads ? 1 : 4, children.Faces);
+  AppendChildren(parents, areQuads ? 4 : 12, children.Corners);
+  AppendChildren(segments.Lines, 2, children.Lines);
+}
+
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
+{
+  const Split<Id, Arity> split(level.Mesh);
+  std::visit([&](auto* to)
+    { ForEach(level.Mesh.NumberOfFaces, [&](vtkIdType f) { split.SetVertices(f, to); }); }, ids);
+}
+
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::WriteFacesOfNext(const SurfaceLevel<Id>& level, IdsOut ids) const
+{
+  const Split<Id, Arity> split(level.Mesh);
+  std::visit([&](auto* to)
+    { ForEach(level.Mesh.NumberOfFaces, [&](vtkIdType f) { split.SetGrandchildren(f, to); }); },
+    ids);
+}
+
+template <typename Id, int Arity>
+SurfaceTags<Id> PrimalScheme<Id, Arity>::RefineTags(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const
+{
+  const Split<Id, Arity> children(level.Mesh);
   const vtkIdType vertices = level.Mesh.NumberOfVertices;
   const vtkIdType edges = level.Mesh.GetNumberOfEdges();
   SurfaceTags<Id> out;
   out.Edges = Buffer<EdgeTag>(2 * edges + level.Mesh.GetNumberOfCorners());
-  out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
+  out.Vertices = Buffer<VertexTag>(this->GetNumberOfRows(level));
   std::copy(tags.Vertices.begin(), tags.Vertices.end(), out.Vertices.begin());
   ForEach(edges,
     [&](vtkIdType e)
@@ -455,123 +496,18 @@ SurfaceTags<Id> InheritTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>
   return out;
 }
 
-}
-
-template <typename Id>
-SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth)
+template <typename Id, int Arity>
+void PrimalScheme<Id, Arity>::CarryFaces(const SurfaceLevel<Id>& level,
+  const Buffer<Carrier<Id>>& faces, bool, Buffer<Carrier<Id>>& children) const
 {
-  SurfaceLevel<Id> next = PrimalRefiner<Id, TriangleSplit<Id>>(level).Run(depth);
-  if (!IsLast(depth))
-  {
-    next.Tags = RefineTriangleTags(level, level.Tags);
-  }
-  return next;
+  children = Buffer<Carrier<Id>>(Split<Id, Arity>(level.Mesh).GetNumberOfFaces());
+  ForEach(children.size(),
+    [&](vtkIdType i) { children[i] = faces[PrimalScheme::GetOrientingFace(level, i)]; });
 }
 
-template <typename Id>
-SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth)
-{
-  SurfaceLevel<Id> next = PrimalRefiner<Id, QuadSplit<Id>>(level).Run(depth);
-  if (!IsLast(depth))
-  {
-    next.Tags = RefineToQuadTags(level, level.Tags);
-  }
-  return next;
-}
-
-template <typename Id>
-SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
-{
-  return InheritTags<Id, TriangleSplit<Id>>(level, tags);
-}
-
-template <typename Id>
-SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
-{
-  return InheritTags<Id, QuadSplit<Id>>(level, tags);
-}
-
-template <typename Id>
-void WriteTriangles(const SurfaceLevel<Id>& level, IdsOut ids)
-{
-  std::visit([&](auto* to) { PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteFaces(to); }, ids);
-}
-
-template <typename Id>
-void WriteQuads(const SurfaceLevel<Id>& level, IdsOut ids)
-{
-  std::visit([&](auto* to) { PrimalRefiner<Id, QuadSplit<Id>>(level).WriteFaces(to); }, ids);
-}
-
-template <typename Id>
-void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, IdsOut ids)
-{
-  std::visit(
-    [&](auto* to) { PrimalRefiner<Id, TriangleSplit<Id>>(level).WriteGrandchildren(to); }, ids);
-}
-
-template <typename Id>
-void WriteQuadsOfNext(const SurfaceLevel<Id>& level, IdsOut ids)
-{
-  std::visit(
-    [&](auto* to) { PrimalRefiner<Id, QuadSplit<Id>>(level).WriteGrandchildren(to); }, ids);
-}
-
-void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children)
-{
-  AppendChildren(segments.Vertices, 1, children.Vertices);
-  AppendChildren(segments.Edges, 1, children.Vertices);
-  AppendChildren(segments.Edges, 2, children.Edges);
-  AppendChildren(segments.Corners, 1, children.Edges);
-  AppendChildren(segments.Faces, 4, children.Faces);
-  AppendChildren(segments.Faces, 12, children.Corners);
-  AppendChildren(segments.Lines, 2, children.Lines);
-}
-
-void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children)
-{
-  AppendChildren(segments.Vertices, 1, children.Vertices);
-  AppendChildren(segments.Edges, 1, children.Vertices);
-  AppendChildren(segments.Faces, 1, children.Vertices);
-  AppendChildren(segments.Edges, 2, children.Edges);
-  AppendChildren(segments.Corners, 1, children.Edges);
-  AppendChildren(segments.Corners, 1, children.Faces);
-  AppendChildren(segments.Corners, 4, children.Corners);
-  AppendChildren(segments.Lines, 2, children.Lines);
-}
-
-template <typename Id>
-void GetParentsOfTrianglesOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType vertices = mesh.NumberOfVertices;
-  const vtkIdType edges = mesh.GetNumberOfEdges();
-  const vtkIdType half = row - vertices - edges;
-  const vtkIdType inside = half - 2 * edges;
-  if (half < 0)
-  {
-    parents.assign({ row });
-  }
-  else if (inside < 0)
-  {
-    parents.assign({ mesh.EdgeVertices[half], vertices + half / 2 });
-  }
-  else
-  {
-    const vtkIdType before = inside % 3 == 0 ? inside + 2 : inside - 1;
-    parents.assign({ vertices + mesh.Edges[inside], vertices + mesh.Edges[before] });
-  }
-}
-
-SUBDIVISION_COMPILE_FUNCTION(GetParentsOfTrianglesOfNext);
-SUBDIVISION_COMPILE_FUNCTION(RefineTriangles);
-SUBDIVISION_COMPILE_FUNCTION(RefineToQuads);
-SUBDIVISION_COMPILE_FUNCTION(RefineTriangleTags);
-SUBDIVISION_COMPILE_FUNCTION(RefineToQuadTags);
-SUBDIVISION_COMPILE_FUNCTION(WriteTriangles);
-SUBDIVISION_COMPILE_FUNCTION(WriteQuads);
-SUBDIVISION_COMPILE_FUNCTION(WriteTrianglesOfNext);
-SUBDIVISION_COMPILE_FUNCTION(WriteQuadsOfNext);
+template class PrimalScheme<int, 3>;
+template class PrimalScheme<int, 4>;
+template class PrimalScheme<long long, 3>;
+template class PrimalScheme<long long, 4>;
 
 }

@@ -18,13 +18,7 @@
 namespace subdivision
 {
 
-template <typename Id>
-SurfaceLevel<Id> RefineTriangles(const SurfaceLevel<Id>& level, Depth depth);
-
-template <typename Id>
-SurfaceLevel<Id> RefineToQuads(const SurfaceLevel<Id>& level, Depth depth);
-
-/// The two triangles at whose edge a new point lies, on the level that RefineTriangles made.
+/// The two triangles at whose edge a new point lies, on the level that a step of triangles made.
 template <typename Id>
 struct TrianglesOfEdgePoint
 {
@@ -54,51 +48,32 @@ struct TrianglesOfEdgePoint
   }
 };
 
-/// Finds the six vertices around the point of an edge on a level that RefineTriangles made, in the
-/// order of VisitCycle: without a walk, of which each step would wait for the one before. False: it
-/// takes a walk.
-template <typename Id>
+/// Finds the six vertices around the point of an edge on a level that a step of triangles made, or
+/// the edges to them, in the order of VisitCycle: without a walk, of which each step would wait for
+/// the one before. False: it takes a walk.
+template <bool OfEdges = false, typename Id>
 bool FindRingOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, Id ring[6])
 {
-  TrianglesOfEdgePoint<Id> triangles;
-  if (!triangles.Find(mesh, point))
-  {
-    return false;
-  }
-  for (int side = 0; side < 2; ++side)
-  {
-    const Id* children = mesh.Vertices.data() + triangles.Children[side];
-    const Id edge = triangles.Edges[side];
-    // Child i has old vertex i as its corner i, and the middle child has the edge points.
-    ring[3 * side] = children[4 * ((edge + 1) % 3)];
-    ring[3 * side + 1] = children[9 + (edge + 1) % 3];
-    ring[3 * side + 2] = children[9 + (edge + 2) % 3];
-  }
-  return true;
-}
-
-/// The same for the edges to these vertices.
-template <typename Id>
-bool FindEdgesOfEdgePoint(const PolygonMesh<Id>& mesh, Id point, Id ring[6])
-{
-  TrianglesOfEdgePoint<Id> triangles;
-  if (!triangles.Find(mesh, point))
-  {
-    return false;
-  }
   constexpr Id seconds[3] = { 3, 7, 2 }; // the second halves of a triangle's edges
+  TrianglesOfEdgePoint<Id> triangles;
+  if (!triangles.Find(mesh, point))
+  {
+    return false;
+  }
   for (int side = 0; side < 2; ++side)
   {
-    const Id* children = mesh.Edges.data() + triangles.Children[side];
+    const Id* children = (OfEdges ? mesh.Edges : mesh.Vertices).data() + triangles.Children[side];
     const Id edge = triangles.Edges[side];
-    ring[3 * side] = children[seconds[edge]];
-    ring[3 * side + 1] = children[9 + edge];
+    const Id next = (edge + 1) % 3;
+    // Child i has old vertex i as its corner i, and the middle child has the edge points.
+    ring[3 * side] = children[OfEdges ? seconds[edge] : 4 * next];
+    ring[3 * side + 1] = children[9 + (OfEdges ? edge : next)];
     ring[3 * side + 2] = children[9 + (edge + 2) % 3];
   }
   return true;
 }
 
-/// Finds the four quads around the point of an edge or a face on a level that RefineToQuads made,
+/// Finds the four quads around the point of an edge or a face on a level that a step to quads made,
 /// in the order of VisitCycle: the first corner of each. `own`: the corner of the point in the
 /// first and third of them, and in the others. False: it takes a walk, because it is on the
 /// boundary, two faces have the edge in the same direction, or the face had not four corners.
@@ -160,89 +135,36 @@ bool FindRingOfNewPoint(const PolygonMesh<Id>& mesh, Id point, Id ring[8])
   return true;
 }
 
-/// The vertices of the faces of the next level, one face after the other.
-template <typename Id>
-void WriteTriangles(const SurfaceLevel<Id>& level, IdsOut ids);
-template <typename Id>
-void WriteQuads(const SurfaceLevel<Id>& level, IdsOut ids);
-/// The same for the level after the next one, if all faces of this one have three corners, or four.
-template <typename Id>
-void WriteTrianglesOfNext(const SurfaceLevel<Id>& level, IdsOut ids);
-template <typename Id>
-void WriteQuadsOfNext(const SurfaceLevel<Id>& level, IdsOut ids);
-
-/// Tags of the next level. Halves of an edge have its tag, its midpoint the vertex tag that
-/// corresponds to it, and old vertices keep theirs. All other edges and vertices are smooth.
-template <typename Id>
-SurfaceTags<Id> RefineTriangleTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
-template <typename Id>
-SurfaceTags<Id> RefineToQuadTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
-
-/// The order of ids after a split.
-void ListTriangleChildren(const SurfaceSegments& segments, SurfaceSegments& children);
-void ListQuadChildren(const SurfaceSegments& segments, SurfaceSegments& children);
-
-/// StepOfNext::GetParents, where triangles are split into four.
-template <typename Id>
-void GetParentsOfTrianglesOfNext(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents);
-
-/// Base class of the schemes that split each triangle into four, with one new vertex on each edge.
-template <typename Id>
-class QuarteringScheme : public SurfaceScheme<Id>
+/// Base class of the schemes that halve edges: with Arity 3 each triangle becomes four, with Arity
+/// 4 each polygon becomes quads.
+template <typename Id, int Arity>
+class PrimalScheme : public SurfaceScheme<Id>
 {
 public:
-  QuarteringScheme() = default;
-  /// `appendRowsOfNext`: StepOfNext::AppendRows.
-  explicit QuarteringScheme(decltype(StepOfNext<Id>::AppendRows) appendRowsOfNext)
-    : SurfaceScheme<Id>({ [](const SurfaceLevel<Id>&) { return true; }, std::move(appendRowsOfNext),
-        GetParentsOfTrianglesOfNext<Id>, WriteTrianglesOfNext<Id> })
-  {
-  }
-  bool NeedsTriangles() const override { return true; }
+  bool NeedsTriangles() const override { return Arity == 3; }
   vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
   {
-    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges();
+    return level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() +
+      (Arity == 4 ? level.Mesh.NumberOfFaces : 0);
   }
   void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    const vtkIdType edge = row - level.Mesh.NumberOfVertices;
-    if (edge < 0)
-    {
-      parents.assign({ row });
-      return;
-    }
-    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
-  }
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
-  {
-    return RefineTriangles(level, depth);
-  }
-  void ListChildren(const SurfaceLevel<Id>&, const SurfaceSegments& segments,
-    SurfaceSegments& children) const override
-  {
-    ListTriangleChildren(segments, children);
-  }
-  bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
-  {
-    WriteTriangles(level, ids);
-  }
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+  void GetParentsOfNext(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override;
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
+  void WriteFacesOfNext(const SurfaceLevel<Id>& level, IdsOut ids) const override;
+  /// Halves of an edge have its tag, its midpoint the vertex tag that corresponds to it, and old
+  /// vertices keep theirs. All other edges and vertices are smooth.
   SurfaceTags<Id> RefineTags(
-    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
-  {
-    return RefineTriangleTags(level, tags);
-  }
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override;
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool,
-    Buffer<Carrier<Id>>& children) const override
+    Buffer<Carrier<Id>>& children) const override;
+  vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
   {
-    children = Buffer<Carrier<Id>>(4 * level.Mesh.NumberOfFaces);
-    ForEach(children.size(), [&](vtkIdType i) { children[i] = faces[i / 4]; });
-  }
-  vtkIdType GetOrientingFace(const SurfaceLevel<Id>&, vtkIdType child) const override
-  {
-    return child / 4;
+    return Arity == 3 ? child / 4 : vtkIdType(level.Mesh.GetFace(static_cast<Id>(child)));
   }
 };
 

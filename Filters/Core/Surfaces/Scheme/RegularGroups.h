@@ -48,40 +48,6 @@ void AppendRegularGroups(const std::array<double, N>& weights, vtkIdType begin, 
   }
 }
 
-/// Appends rows [begin, end) of the corners of quads (QuadRows). quad(g, corners), called once for
-/// each quad in order, writes the corners of rows 4 g to 4 g + 3.
-template <typename Id, typename Quad>
-void AppendQuads(const std::array<double, 4>& weights, vtkIdType begin, vtkIdType end,
-  const Quad& quad, RowBlock<Id>& rows)
-{
-  while (begin < end)
-  {
-    const vtkIdType first = begin / 4;
-    const vtkIdType at = begin % 4;
-    if (at == 0 && end - begin >= 4)
-    {
-      begin += rows.AddQuads(weights, (end - begin) / 4,
-        [&](vtkIdType i, Id* corners)
-        {
-          quad(first + i, corners);
-          return true;
-        });
-      continue;
-    }
-    Id corners[4]; // of a quad that is cut
-    quad(first, corners);
-    begin += rows.AddRun(weights, std::min(4 - at, end - begin),
-      [&](vtkIdType i, Id* columns)
-      {
-        for (vtkIdType k = 0; k < 4; ++k)
-        {
-          columns[k] = corners[(at + i + k) % 4];
-        }
-        return true;
-      });
-  }
-}
-
 /// Calls act(kind, begin, end) for the parts of rows [begin, end) that are of each kind, and count
 /// from the first row of the kind; `sizes` is how many rows each kind has.
 template <std::size_t Kinds, typename Act>

@@ -73,6 +73,74 @@ FlatPoint<Id> FindFlatPoint(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& 
   return flat;
 }
 
+/// The points towards which one new point moves.
+template <typename Id>
+struct FlatPoints
+{
+  std::vector<FlatPoint<Id>> Points;
+
+  void Add(const FlatPoint<Id>& point)
+  {
+    if (point.Flatness > 0.)
+    {
+      this->Points.push_back(point);
+    }
+  }
+  double GetSize() const { return static_cast<double>(this->Points.size()); }
+  /// The weight of the point before it moves.
+  double GetKept() const
+  {
+    double kept = 1.;
+    for (const FlatPoint<Id>& point : this->Points)
+    {
+      kept -= point.Flatness / this->GetSize();
+    }
+    return kept;
+  }
+  void Append(RowBlock<Id>& rows) const
+  {
+    for (const FlatPoint<Id>& point : this->Points)
+    {
+      point.Append(rows, point.Flatness / this->GetSize());
+    }
+  }
+};
+
+/// The rule of a smooth edge of which ends lie on curves or corners: the mean of the masks of these
+/// ends (Mathematics 12).
+template <typename Id>
+struct EdgeAtCurve
+{
+  double Weights[2] = { 0., 0. }; ///< of the ends of the edge: sums of their masks
+  int Size = 0;                   ///< how many these are
+  FlatPoints<Id> Flat;
+
+  /// weigh(angle) returns the weights of the end itself and of the other one by the angle of one
+  /// face, 0 for the plain rule, which always holds without `modified`.
+  template <typename Weigh>
+  EdgeAtCurve(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, bool modified,
+    const Weigh& weigh)
+  {
+    for (int end = 0; end < 2; ++end)
+    {
+      const Id vertex = mesh.EdgeVertices[2 * edge + end];
+      if (tags.Vertices[vertex] != VertexTag::Curve && tags.Vertices[vertex] != VertexTag::Corner)
+      {
+        continue;
+      }
+      const Id at = GetCornerAt(mesh, mesh.EdgeCorners[edge], vertex);
+      const auto [own, far] = weigh(modified ? FindAngleOfFace(mesh, tags, vertex, at) : 0.);
+      this->Weights[end] += own;
+      this->Weights[1 - end] += far;
+      ++this->Size;
+      if (modified)
+      {
+        this->Flat.Add(FindFlatPoint(mesh, tags, vertex, at, edge, false));
+      }
+    }
+  }
+};
+
 }
 
 #endif

@@ -84,8 +84,7 @@ private:
       const Around around = Find(level.Mesh, vertex);
       near.insert(near.end(), around.Items.begin(), around.Items.end());
     }
-    std::sort(near.begin(), near.end());
-    near.erase(std::unique(near.begin(), near.end()), near.end());
+    SortUnique(near);
     this->Patch = std::make_unique<SharpPatch<Id>>(this->Scheme, level, creases, near);
     const PolygonMesh<Id>& mesh = this->Patch->GetLevel().Mesh;
     this->Points.assign(3 * static_cast<std::size_t>(mesh.NumberOfVertices), 0.);
@@ -236,7 +235,7 @@ private:
     std::vector<Id> sorted = around.Items;
     std::sort(sorted.begin(), sorted.end());
     const bool hasFacePoints = level.Mesh.Arity == 4;
-    if (size > MostItems || !this->Scheme.HalvesEdges() || !this->Scheme.KeepsVertices() ||
+    if (size > MostItems || !this->Scheme.HalvesEdges() || this->Scheme.IsDual() ||
       std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end() ||
       this->Scheme.GetNumberOfRows(level) !=
         level.Mesh.NumberOfVertices + level.Mesh.GetNumberOfEdges() +

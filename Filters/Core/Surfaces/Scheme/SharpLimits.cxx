@@ -13,15 +13,7 @@ namespace subdivision
 template <typename Id>
 std::vector<Id> CollectNear(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
-  std::vector<Id> ends;
-  for (const SharpEdge<Id>& edge : edges)
-  {
-    ends.push_back(mesh.EdgeVertices[2 * edge.Edge]);
-    ends.push_back(mesh.EdgeVertices[2 * edge.Edge + 1]);
-  }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  return CollectWithNeighbours(mesh, CollectWithNeighbours(mesh, ends));
+  return CollectWithNeighbours(mesh, CollectWithNeighbours(mesh, CollectEnds(mesh, edges)));
 }
 
 namespace

@@ -8,24 +8,7 @@
 
 namespace subdivision
 {
-namespace
-{
 
-template <typename Id>
-void SortUnique(std::vector<Id>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-template <typename Id>
-void AppendCorners(const PolygonMesh<Id>& mesh, Id face, std::vector<Id>& vertices)
-{
-  const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
-  vertices.insert(vertices.end(), first, first + mesh.GetSize(face));
-}
-
-/// The ends of edges, ascending.
 template <typename Id>
 std::vector<Id> CollectEnds(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges)
 {
@@ -37,8 +20,6 @@ std::vector<Id> CollectEnds(const PolygonMesh<Id>& mesh, const std::vector<Sharp
   }
   SortUnique(ends);
   return ends;
-}
-
 }
 
 template <typename Id>
@@ -53,12 +34,7 @@ std::vector<Id> CollectWithNeighbours(const PolygonMesh<Id>& mesh, const std::ve
     {
       all.push_back(mesh.GetOtherEnd(edge, vertex));
     }
-    VisitFans(mesh, vertex,
-      [&](Id corner)
-      {
-        VisitFan(mesh, corner,
-          [&](const FanStep<Id>& step) { AppendCorners(mesh, mesh.GetFace(step.Corner), all); });
-      });
+    VisitFaces(mesh, vertex, [&](Id face) { AppendOfFace(mesh, mesh.Vertices, face, all); });
   }
   SortUnique(all);
   return all;
@@ -128,19 +104,6 @@ double SharpRows<Id>::GetPart(const std::vector<Id>& vertices) const
   return count > 0 ? sum / count : 0.;
 }
 
-template <typename Id>
-std::vector<Id> SharpRows<Id>::CollectFaces(const PolygonMesh<Id>& mesh, Id vertex) const
-{
-  std::vector<Id> faces;
-  VisitFans(mesh, vertex,
-    [&](Id corner)
-    {
-      VisitFan(
-        mesh, corner, [&](const FanStep<Id>& step) { faces.push_back(mesh.GetFace(step.Corner)); });
-    });
-  return faces;
-}
-
 /// Adds the rows of the edges whose rules depend on sharp edges: these themselves, all edges at
 /// their ends, and the other edges of the faces there. A sharp edge has its own fraction; another
 /// edge has the fraction of its ends or, if these have none, of the other corners of its faces.
@@ -153,11 +116,7 @@ void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<Shar
   {
     CollectEdges(mesh, end, [](Id) { return true; }, around);
     near.insert(near.end(), around.begin(), around.end());
-    for (const Id face : this->CollectFaces(mesh, end))
-    {
-      const Id* first = mesh.Edges.data() + mesh.GetFirst(face);
-      near.insert(near.end(), first, first + mesh.GetSize(face));
-    }
+    VisitFaces(mesh, end, [&](Id face) { AppendOfFace(mesh, mesh.Edges, face, near); });
   }
   SortUnique(near);
   auto sharp = edges.begin();
@@ -177,10 +136,10 @@ void SharpRows<Id>::AddEdges(const PolygonMesh<Id>& mesh, const std::vector<Shar
     else if (part == 0. && corner >= 0)
     {
       std::vector<Id> across;
-      AppendCorners(mesh, mesh.GetFace(corner), across);
+      AppendOfFace(mesh, mesh.Vertices, mesh.GetFace(corner), across);
       if (mesh.Twins[corner] >= 0)
       {
-        AppendCorners(mesh, mesh.GetFace(mesh.Twins[corner]), across);
+        AppendOfFace(mesh, mesh.Vertices, mesh.GetFace(mesh.Twins[corner]), across);
       }
       SortUnique(across);
       part = this->GetPart(across);
@@ -197,15 +156,14 @@ void SharpRows<Id>::AddFaces(const PolygonMesh<Id>& mesh)
   {
     if (mesh.NumberOfVertices > row.Row)
     {
-      const std::vector<Id> own = this->CollectFaces(mesh, static_cast<Id>(row.Row));
-      faces.insert(faces.end(), own.begin(), own.end());
+      VisitFaces(mesh, static_cast<Id>(row.Row), [&](Id face) { faces.push_back(face); });
     }
   }
   SortUnique(faces);
   for (const Id face : faces)
   {
     std::vector<Id> corners;
-    AppendCorners(mesh, face, corners);
+    AppendOfFace(mesh, mesh.Vertices, face, corners);
     this->Rows.push_back(
       { mesh.NumberOfVertices + mesh.GetNumberOfEdges() + face, this->GetPart(corners) });
   }
@@ -222,10 +180,7 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
   {
     one.Clear();
     scheme.AppendRows(level, tags, row, row + 1, one);
-    for (std::size_t k = 0; k < one.GetNumberOfEntries(); ++k)
-    {
-      rows.Add(one.GetColumns()[k], factor * one.GetWeights()[k]);
-    }
+    AddTimes(one, factor, rows);
   };
   for (vtkIdType row = begin; row < end;)
   {
@@ -252,6 +207,7 @@ void SharpRows<Id>::Append(const SurfaceScheme<Id>& scheme, const SurfaceLevel<I
 }
 
 SUBDIVISION_COMPILE(class SharpRows);
+SUBDIVISION_COMPILE_FUNCTION(CollectEnds);
 SUBDIVISION_COMPILE_FUNCTION(CollectWithNeighbours);
 
 }

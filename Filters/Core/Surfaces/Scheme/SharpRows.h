@@ -57,12 +57,15 @@ private:
   void AddEdges(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges);
   void AddFaces(const PolygonMesh<Id>& mesh);
   double GetPart(const std::vector<Id>& vertices) const;
-  std::vector<Id> CollectFaces(const PolygonMesh<Id>& mesh, Id vertex) const;
 
   SharpTagPair<Id> Tags;
   std::vector<PartlySharpRow> Rows;  ///< ascending
   std::vector<PartlySharpRow> Parts; ///< of vertices at edges that are sharp in part, ascending
 };
+
+/// The ends of edges, ascending.
+template <typename Id>
+std::vector<Id> CollectEnds(const PolygonMesh<Id>& mesh, const std::vector<SharpEdge<Id>>& edges);
 
 /// The vertices and all that share a face or an edge with one of them; both ascending.
 template <typename Id>

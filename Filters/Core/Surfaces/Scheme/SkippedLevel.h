@@ -4,7 +4,7 @@
  * The last step of a surface, from a level that is not made.
  *
  * After a step that halves edges, the neighbours of most vertices and edges follow from the level
- * before this step by arithmetic: a scheme makes their rows so (StepOfNext). The others are at
+ * before this step by arithmetic: a scheme makes their rows so (PrimalRows.h). The others are at
  * curves, corners and joints, and at edges that both faces have in the same direction. The part
  * around these is refined as a level of its own, by the step of all levels, and its rows are taken.
  * So all rows have the same entries in the same order as if the level had been made.

@@ -5,7 +5,7 @@
 #include "Core/Rules/Masks.h"
 #include "Core/Rules/Pi.h"
 #include "Core/Rules/SectorMasks.h"
-#include "Core/Surfaces/Scheme/SurfaceRings.h"
+#include "Core/Surfaces/Scheme/CurveTangents.h"
 
 #include <cmath>
 
@@ -45,7 +45,9 @@ void LimitFinder<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows)
       }
       else
       {
-        this->AppendSectorTangent(vertex, kind, rows);
+        AppendSectorTangent(this->Level, this->Tags, vertex, kind, this->Scratch, rows,
+          [&](const SectorEnds<Id>& ends, double turn)
+          { this->AppendAcross(vertex, ends, turn, rows); });
       }
   }
 }
@@ -67,36 +69,6 @@ void LimitFinder<Id>::FindStar(Id vertex)
   this->Around = Star();
   VisitCycle(this->Mesh, this->Mesh.VertexCorners[vertex],
     [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
-}
-
-/// Finds the star of the sector of FindTangentCorner at a vertex on a curve or a corner. Returns
-/// false if there is no such sector, or if it ends at a Blend edge and so has no tangent plane.
-template <typename Id>
-bool LimitFinder<Id>::FindSectorStar(Id vertex)
-{
-  this->Around = Star();
-  const Id corner = FindTangentCorner(this->Mesh, this->Tags, vertex);
-  if (corner < 0)
-  {
-    return false;
-  }
-  const SectorEnds<Id> ends = FindSectorEnds(this->Mesh, this->Tags, corner);
-  if (ends.Size == 0)
-  {
-    return false;
-  }
-  FanStep<Id> step = ends.First;
-  for (int i = 0; i < ends.Size; ++i)
-  {
-    this->AddStep(step, vertex);
-    step.Advance(this->Mesh);
-  }
-  const Id last = this->Mesh.Edges[ends.Last.GetHalfEdgeOut(this->Mesh)];
-  this->Around.Edges.push_back(last);
-  this->Around.Ends.push_back(this->Mesh.GetOtherEnd(last, vertex));
-  this->Around.Clockwise = !ends.First.Forward;
-  this->Around.Corner = FindSector(this->Tags, vertex, ends);
-  return IsSharp(this->Tags.Edges[this->Around.Edges.front()]) && IsSharp(this->Tags.Edges[last]);
 }
 
 /// Whether the rules around the star are the same on all further levels.
@@ -159,10 +131,7 @@ void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
     }
     this->Next.Clear();
     this->Scheme.AppendRows(this->Level, this->Tags, row, row + 1, this->Next);
-    for (std::size_t k = 0; k < this->Next.GetNumberOfEntries(); ++k)
-    {
-      rows.Add(this->Next.GetColumns()[k], weight * this->Next.GetWeights()[k]);
-    }
+    AddTimes(this->Next, weight, rows);
   };
   const vtkIdType edges = this->Mesh.NumberOfVertices;
   const vtkIdType faces = edges + this->Mesh.GetNumberOfEdges();
@@ -406,57 +375,29 @@ void LimitFinder<Id>::AppendCurvePosition(Id vertex, RowBlock<Id>& rows)
   rows.Add(this->Mesh.GetOtherEnd(this->Scratch[1], vertex), 1. / 6.);
 }
 
+/// Appends the tangent across a curve in a sector, times `turn`.
 template <typename Id>
-void LimitFinder<Id>::AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows)
+void LimitFinder<Id>::AppendAcross(
+  Id vertex, const SectorEnds<Id>& ends, double turn, RowBlock<Id>& rows)
 {
-  const bool isCurve = IsOnCurve(this->Mesh, this->Tags, vertex);
-  if (!this->FindSectorStar(vertex))
+  this->Around = Star();
+  FanStep<Id> step = ends.First;
+  for (int i = 0; i < ends.Size; ++i)
   {
-    CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Scratch);
-    if (isCurve && kind == LimitKind::Tangent1 && this->Scratch.size() == 2)
-    {
-      rows.Add(this->Mesh.GetOtherEnd(this->Scratch[0], vertex), 1.);
-      rows.Add(this->Mesh.GetOtherEnd(this->Scratch[1], vertex), -1.);
-    }
-    return;
+    this->AddStep(step, vertex);
+    step.Advance(this->Mesh);
   }
-  const Id first = this->Around.Ends.front();
-  const Id last = this->Around.Ends.back();
-  const double turn = this->Around.Clockwise ? -1. : 1.;
-  if (isCurve)
+  const Id last = this->Mesh.Edges[ends.Last.GetHalfEdgeOut(this->Mesh)];
+  this->Around.Edges.push_back(last);
+  this->Around.Ends.push_back(this->Mesh.GetOtherEnd(last, vertex));
+  this->SetTransversalMask();
+  this->Row.Own *= turn;
+  for (std::vector<double>* weights : { &this->Row.Edges, &this->Row.Faces })
   {
-    if (kind == LimitKind::Tangent1)
-    {
-      rows.Add(first, 1.);
-      rows.Add(last, -1.);
-      return;
-    }
-    this->SetTransversalMask();
-    this->Row.Own *= turn;
-    for (double& weight : this->Row.Edges)
-    {
-      weight *= turn;
-    }
-    for (double& weight : this->Row.Faces)
-    {
-      weight *= turn;
-    }
-    this->AppendMask(vertex, rows);
-    return;
+    std::transform(weights->begin(), weights->end(), weights->begin(),
+      [turn](double weight) { return weight * turn; });
   }
-  if (kind == LimitKind::Tangent1)
-  {
-    rows.Add(first, 1.);
-    rows.Add(vertex, -1.);
-    return;
-  }
-  const Sector<Id>* sector = this->Around.Corner;
-  const double angle = sector ? sector->Angle : Pi / 2.;
-  const double a = -std::cos(angle) / std::sin(angle);
-  const double b = 1. / std::sin(angle);
-  rows.Add(first, turn * a);
-  rows.Add(last, turn * b);
-  rows.Add(vertex, -turn * (a + b));
+  this->AppendMask(vertex, rows);
 }
 
 /// Sets the mask of the tangent across a curve in a sector of k faces, with the weight sin(j pi /

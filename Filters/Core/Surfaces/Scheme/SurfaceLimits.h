@@ -12,7 +12,7 @@
 #define SubdivisionObjects_SurfaceLimits_h
 
 #include "Core/Rules/LoopWeights.h"
-#include "Core/Surfaces/Scheme/SurfaceScheme.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 namespace subdivision
 {
@@ -25,18 +25,24 @@ public:
   LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
     const SurfaceScheme<Id>& scheme, bool modifiedBoundary, LoopWeights weights);
 
-  /// Adds the entries of a vertex's row. A tangent that does not exist has none.
-  void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
+  /// SurfaceScheme::AppendLimitRows. A tangent that does not exist has no entries.
+  void AppendRows(LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+  {
+    for (vtkIdType v = begin; v < end; ++v)
+    {
+      this->Append(static_cast<Id>(v), kind, rows);
+      rows.EndRow();
+    }
+  }
 
 private:
+  void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
   struct Star
   {
     std::vector<Id> Edges;
     std::vector<Id> Ends;  ///< of the edges
     std::vector<Id> Faces; ///< face j lies between edges j and j + 1
     std::vector<Id> Opposite;
-    bool Clockwise = false;
-    const Sector<Id>* Corner = nullptr; ///< its record if it is the sector of a corner
   };
   /// Weights for the vertex, the ends of its edges and the opposite corners of its faces.
   struct StarMask
@@ -49,10 +55,9 @@ private:
   void AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows);
   void AppendBlend(Id vertex, RowBlock<Id>& rows);
   void AppendCurvePosition(Id vertex, RowBlock<Id>& rows);
-  void AppendSectorTangent(Id vertex, LimitKind kind, RowBlock<Id>& rows);
+  void AppendAcross(Id vertex, const SectorEnds<Id>& ends, double turn, RowBlock<Id>& rows);
 
   void FindStar(Id vertex);
-  bool FindSectorStar(Id vertex);
   void AddStep(const FanStep<Id>& step, Id vertex);
   void SetSmoothMask(LimitKind kind);
   void SetTransversalMask();

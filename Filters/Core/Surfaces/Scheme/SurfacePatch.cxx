@@ -9,17 +9,6 @@
 
 namespace subdivision
 {
-namespace
-{
-
-template <typename Id>
-void SortUnique(std::vector<Id>& ids)
-{
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-}
-
-}
 
 template <typename Id>
 SurfacePatch<Id>::SurfacePatch(const SurfaceLevel<Id>& whole, const std::vector<Id>& vertices)
@@ -57,14 +46,6 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
   std::vector<Id> around;
   auto collectEdges = [&](Id vertex)
   { CollectEdges(whole, vertex, [](Id) { return true; }, around); };
-  auto forFaces = [&](Id vertex, const auto& act)
-  {
-    VisitFans(whole, vertex,
-      [&](Id corner)
-      {
-        VisitFan(whole, corner, [&](const FanStep<Id>& step) { act(whole.GetFace(step.Corner)); });
-      });
-  };
   for (Id vertex : vertices)
   {
     collectEdges(vertex);
@@ -74,25 +55,19 @@ void SurfacePatch<Id>::Collect(const PolygonMesh<Id>& whole, const std::vector<I
     }
     // The flatness of a corner moves the points of its faces, also of faces in which it is no
     // neighbour of the vertex.
-    forFaces(vertex,
-      [&](Id face)
-      {
-        const Id* corners = whole.Vertices.data() + whole.GetFirst(face);
-        inside.insert(inside.end(), corners, corners + whole.GetSize(face));
-      });
+    VisitFaces(whole, vertex, [&](Id face) { AppendOfFace(whole, whole.Vertices, face, inside); });
   }
   SortUnique(inside);
   for (Id vertex : inside)
   {
     collectEdges(vertex); // free edges too
     this->Edges.insert(this->Edges.end(), around.begin(), around.end());
-    forFaces(vertex, [&](Id face) { this->Faces.push_back(face); });
+    VisitFaces(whole, vertex, [&](Id face) { this->Faces.push_back(face); });
   }
   SortUnique(this->Faces);
   for (Id face : this->Faces)
   {
-    const Id* corners = whole.Edges.data() + whole.GetFirst(face);
-    this->Edges.insert(this->Edges.end(), corners, corners + whole.GetSize(face));
+    AppendOfFace(whole, whole.Edges, face, this->Edges);
   }
   SortUnique(this->Edges);
   this->Vertices = inside;

@@ -32,6 +32,34 @@ void VisitFans(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
   }
 }
 
+/// Calls visit(face) for each face at a vertex.
+template <typename Id, typename Visit>
+void VisitFaces(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
+{
+  VisitFans(mesh, vertex,
+    [&](Id corner)
+    {
+      VisitFan(mesh, corner, [&](const FanStep<Id>& step) { visit(mesh.GetFace(step.Corner)); });
+    });
+}
+
+/// Appends what is stored for each corner of a face: its vertices or its edges.
+template <typename Id>
+void AppendOfFace(
+  const PolygonMesh<Id>& mesh, const Buffer<Id>& ofCorners, Id face, std::vector<Id>& ids)
+{
+  const Id* first = ofCorners.data() + mesh.GetFirst(face);
+  ids.insert(ids.end(), first, first + mesh.GetSize(face));
+}
+
+/// Sorts a few ids, and keeps one of several equal ones.
+template <typename Id>
+void SortUnique(std::vector<Id>& ids)
+{
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
 /// The corner that VisitFans visits first; -1: the vertex has no faces.
 template <typename Id>
 Id GetFirstFan(const PolygonMesh<Id>& mesh, Id vertex)
@@ -76,8 +104,7 @@ void CollectEdges(
       add(edge);
     }
     // Edges of three and more faces end several fans.
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    SortUnique(edges);
   }
 }
 

@@ -15,13 +15,22 @@
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
 
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <variant>
 #include <vector>
 
 namespace subdivision
 {
+
+/// Adds the entries of a row to the row that is being made, times a factor.
+template <typename Id>
+void AddTimes(const RowBlock<Id>& row, double factor, RowBlock<Id>& rows)
+{
+  for (std::size_t k = 0; k < row.GetNumberOfEntries(); ++k)
+  {
+    rows.Add(row.GetColumns()[k], factor * row.GetWeights()[k]);
+  }
+}
 
 enum class EdgeTag : unsigned char
 {
@@ -125,12 +134,6 @@ struct SurfaceSegments
   IdSegments Lines;
 };
 
-/// Whether no further step follows.
-inline bool IsLast(Depth depth)
-{
-  return depth == Depth::ForOutput || depth == Depth::ForCounts;
-}
-
 enum class LimitKind
 {
   Position,
@@ -164,22 +167,6 @@ struct FaceMemory
 /// Where ids are written, of either type.
 using IdsOut = std::variant<int*, long long*>;
 
-/// The step from the next level where that level is not made (SkippedLevel.h). The functions are
-/// methods of SurfaceScheme with the same names, for the next level, told from this one.
-template <typename Id>
-struct StepOfNext
-{
-  /// Whether the next level can be skipped; empty: never.
-  std::function<bool(const SurfaceLevel<Id>& level)> Skips;
-  /// `others` appends rows that are not regular.
-  std::function<void(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)>
-    AppendRows;
-  std::function<void(const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents)>
-    GetParents;
-  std::function<void(const SurfaceLevel<Id>& level, IdsOut ids)> WriteFaces;
-};
-
 template <typename Id>
 class SurfaceScheme
 {
@@ -188,13 +175,12 @@ public:
 
   /// Triangle schemes split other polygons first.
   virtual bool NeedsTriangles() const = 0;
-  /// Whether creases, corners and sharpness mean anything (dual schemes: no).
-  virtual bool UsesTags() const { return true; }
-  /// Whether the vertices of a level are vertices of the next, with the same ids (dual schemes:
-  /// no).
-  virtual bool KeepsVertices() const { return true; }
+  /// Whether new vertices stand for corners or edges. Otherwise the vertices of a level are
+  /// vertices of the next, with the same ids; only then creases, corners and sharpness mean
+  /// anything.
+  virtual bool IsDual() const { return false; }
   /// Whether steps change the directions in which neighbours lie of a vertex that they keep.
-  virtual bool HasLimitStars() const { return this->KeepsVertices(); }
+  virtual bool HasLimitStars() const { return !this->IsDual(); }
   /// Makes a patch of a level one that Prepare and Refine take.
   virtual void CloseRim(const SurfaceLevel<Id>& /*whole*/, SurfacePatch<Id>& /*patch*/) const {}
   /// Whether a smooth boundary vertex with one face is a corner by default.
@@ -231,19 +217,16 @@ public:
   /// averaged: from the one with the smallest global id.
   virtual void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const = 0;
-  /// The next level. With ForOutput it has only faces (NumberOf..., Arity, FaceOffsets, Vertices)
-  /// and Lines with EdgeVertices; with ForLastStep all that a further step with ForOutput and
-  /// CarryFaces read; with ForSteps all that further steps read, where smooth edges need not be
-  /// stored.
+  /// The next level. With ForCounts it has only counts (NumberOf..., Arity, FaceOffsets) and Lines
+  /// with EdgeVertices; with ForLastStep all that a further step with ForCounts and CarryFaces
+  /// read; with ForSteps all that further steps read, where smooth edges need not be stored.
   virtual SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const = 0;
   /// Appends the segments of the next level, from the segments of this one. Needs no more of the
   /// level than the counts of Prepare, and the first corner of each face.
   virtual void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
     SurfaceSegments& children) const = 0;
-  /// Whether Refine knows ForCounts, which is ForOutput without Vertices. WriteFaces then writes
-  /// the vertices of the next level's faces, one face after the other.
-  virtual bool WritesFaces() const { return false; }
-  virtual void WriteFaces(const SurfaceLevel<Id>& /*level*/, IdsOut /*ids*/) const {}
+  /// Writes the vertices of the next level's faces, one face after the other.
+  virtual void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const = 0;
   /// Tags of the next level from tags of this one (there may be several sets for one level).
   virtual SurfaceTags<Id> RefineTags(
     const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const = 0;
@@ -265,16 +248,20 @@ public:
   virtual void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
     LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
 
-  const StepOfNext<Id>& GetStepOfNext() const { return this->OfNext; }
-
-protected:
-  explicit SurfaceScheme(StepOfNext<Id> ofNext = {})
-    : OfNext(std::move(ofNext))
+  // The step from the next level where that level is not made (SkippedLevel.h): as the methods with
+  // these names, but told from this level.
+  virtual bool SkipsNext(const SurfaceLevel<Id>& /*level*/) const { return false; }
+  /// `others` appends rows that are not regular.
+  virtual void AppendRowsOfNext(const SurfaceLevel<Id>& /*level*/,
+    const IrregularRows<Id>& /*others*/, vtkIdType /*begin*/, vtkIdType /*end*/,
+    RowBlock<Id>& /*rows*/) const
   {
   }
-
-private:
-  const StepOfNext<Id> OfNext;
+  virtual void GetParentsOfNext(
+    const SurfaceLevel<Id>& /*level*/, vtkIdType /*row*/, std::vector<vtkIdType>& /*parents*/) const
+  {
+  }
+  virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, IdsOut /*ids*/) const {}
 };
 
 }

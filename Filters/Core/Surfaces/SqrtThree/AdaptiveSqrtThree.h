@@ -110,6 +110,14 @@ public:
   }
   /// The record of a vertex that was added.
   const Vertex& GetAdded(Id vertex) const { return this->Added[vertex - this->ControlVertices]; }
+  /// The first one, by an order, of the vertices between which a vertex was added.
+  template <typename Less>
+  Id FindFirstParent(Id vertex, const Less& less) const
+  {
+    const Id source = this->GetAdded(vertex).Source;
+    const Id* parents = source >= 0 ? this->GetVertices(source) : this->Segments[-1 - source].Ends;
+    return *std::min_element(parents, parents + (source >= 0 ? 3 : 2), less);
+  }
   /// The number of triangles, also of odd generation, and of pieces of line cells.
   vtkIdType GetNumberOfCells() const { return this->Cells; }
 

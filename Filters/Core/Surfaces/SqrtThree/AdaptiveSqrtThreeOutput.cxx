@@ -10,12 +10,14 @@ namespace subdivision
 template <typename Id>
 AdaptiveSqrtThreeOutput<Id>::AdaptiveSqrtThreeOutput(AdaptiveSqrtThree<Id>& mesh)
   : Mesh(mesh)
+  , Carriers(mesh)
 {
+  this->Carriers.Continue();
   this->NumberVertices();
   this->CountTriangles();
 }
 
-/// Numbers vertices level by level, and finds the carriers of faces.
+/// Numbers vertices level by level.
 template <typename Id>
 void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
 {
@@ -27,12 +29,10 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
     numbers[v] = v;
   }
   this->VertexLevels = { 0, given };
-  this->Carriers = Buffer<Carrier<Id>>(mesh.GetNumberOfFaces());
   std::vector<Id> faces(mesh.GetNumberOfControlFaces());
   for (const std::size_t f : InTurn(faces.size()))
   {
     faces[f] = static_cast<Id>(f);
-    this->Carriers[f] = { faces[f], faces[f] };
   }
   std::vector<Id> segments;
   for (const vtkIdType s : InTurn(mesh.GetNumberOfSegments()))
@@ -63,7 +63,6 @@ void AdaptiveSqrtThreeOutput<Id>::NumberVertices()
         const Id child = mesh.GetChild(corner);
         if (mesh.IsThere(child))
         {
-          this->Carriers[child] = CarryAdaptiveSqrtThree(mesh, corner, this->Carriers);
           children.push_back(child);
         }
       }
@@ -146,76 +145,64 @@ void AdaptiveSqrtThreeOutput<Id>::CountTriangles()
   this->Triangles = next;
 }
 
-/// The control face whose data the third of a split face at `corner` shows. This triangle of odd
-/// generation is in the output while the face across the edge is not split.
+/// Calls act(triangle, face, corner) for each triangle: of a face that is not split, with corner
+/// -1, or of odd generation, which is in the output while the face across that corner's edge is not
+/// split.
 template <typename Id>
-Id AdaptiveSqrtThreeOutput<Id>::GetSourceOfHalf(Id face, int corner) const
-{
-  const Carrier<Id>& carrier = this->Carriers[face];
-  const bool runsFromCentreToCentre = corner == 1;
-  return runsFromCentreToCentre ? carrier.GetSmallest()
-                                : PartSqrtThree(carrier, corner, false).First;
-}
-
-template <typename Id>
-template <typename Value>
-void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
-  Value* vertices, unsigned char* generations, vtkIdType* faces) const
+template <typename Act>
+void AdaptiveSqrtThreeOutput<Id>::ForTriangles(const Act& act) const
 {
   const AdaptiveSqrtThree<Id>& mesh = this->Mesh;
   ForEach(mesh.GetNumberOfFaces(),
     [&](vtkIdType f)
     {
       const Id face = static_cast<Id>(f);
-      const Id* corners = mesh.GetVertices(face);
-      auto write = [&](Id at, Id a, Id b, Id c, int generation, Id source)
-      {
-        const Id triangle[3] = { a, b, c };
-        std::copy(triangle, triangle + 3, vertices + 3 * static_cast<vtkIdType>(at));
-        generations[at] = static_cast<unsigned char>(generation);
-        faces[at] = source;
-      };
-      const int generation = 2 * mesh.GetLevel(face);
       if (mesh.IsThere(face) && !mesh.IsSplit(face))
       {
-        write(this->Offsets[f], corners[0], corners[1], corners[2], generation,
-          this->Carriers[f].GetSmallest());
-        return;
+        act(this->Offsets[face], face, Id(-1));
       }
-      for (int i = 0; i < 3 && mesh.IsSplit(face); ++i)
+      for (Id corner = 3 * face; mesh.IsSplit(face) && corner < 3 * face + 3; ++corner)
       {
-        const Id corner = 3 * face + i;
         if (!mesh.IsThere(mesh.GetChild(corner)))
         {
-          write(this->Offsets[mesh.GetChild(corner)], corners[i], corners[(i + 1) % 3],
-            mesh.GetApex(corner), generation + 1, this->GetSourceOfHalf(face, i));
+          act(this->Offsets[mesh.GetChild(corner)], face, corner);
         }
       }
     });
 }
 
 template <typename Id>
-Buffer<Id> AdaptiveSqrtThreeOutput<Id>::FindFaces() const
+void AdaptiveSqrtThreeOutput<Id>::WriteTriangles(
+  Id* vertices, unsigned char* generations, vtkIdType* faces) const
 {
   const AdaptiveSqrtThree<Id>& mesh = this->Mesh;
-  Buffer<Id> faces(this->Triangles);
-  ForEachInTurn(mesh.GetNumberOfFaces(),
-    [&](vtkIdType f)
+  this->ForTriangles(
+    [&](Id at, Id face, Id corner)
     {
-      const Id face = static_cast<Id>(f);
-      if (mesh.IsThere(face) && !mesh.IsSplit(face))
+      const bool isWhole = corner < 0;
+      Id* to = vertices + 3 * static_cast<vtkIdType>(at);
+      std::copy_n(mesh.GetVertices(face), isWhole ? 3 : 0, to);
+      if (!isWhole)
       {
-        faces[this->Offsets[face]] = face;
+        to[0] = mesh.GetVertex(corner);
+        to[1] = mesh.GetVertex(mesh.Next(corner));
+        to[2] = mesh.GetApex(corner);
       }
-      for (Id corner = 3 * face; mesh.IsSplit(face) && corner < 3 * face + 3; ++corner)
-      {
-        const Id child = mesh.GetChild(corner);
-        if (!mesh.IsThere(child))
-        {
-          faces[this->Offsets[child]] = child;
-        }
-      }
+      // The second third of a face runs from centre to centre.
+      const Carrier<Id>& carrier = this->Carriers[face];
+      generations[at] = static_cast<unsigned char>(2 * mesh.GetLevel(face) + (isWhole ? 0 : 1));
+      faces[at] = isWhole || corner % 3 == 1
+        ? carrier.GetSmallest()
+        : PartSqrtThree(carrier, static_cast<int>(corner % 3), false).First;
     });
+}
+
+template <typename Id>
+Buffer<Id> AdaptiveSqrtThreeOutput<Id>::FindFaces() const
+{
+  Buffer<Id> faces(this->Triangles);
+  this->ForTriangles([&](Id at, Id face, Id corner)
+    { faces[at] = corner < 0 ? face : this->Mesh.GetChild(corner); });
   return faces;
 }
 
@@ -241,12 +228,5 @@ void AdaptiveSqrtThreeOutput<Id>::AppendPieces(Id line, std::vector<Piece>& piec
 }
 
 SUBDIVISION_COMPILE(class AdaptiveSqrtThreeOutput);
-template void AdaptiveSqrtThreeOutput<int>::WriteTriangles(int*, unsigned char*, vtkIdType*) const;
-template void AdaptiveSqrtThreeOutput<int>::WriteTriangles(
-  vtkIdType*, unsigned char*, vtkIdType*) const;
-template void AdaptiveSqrtThreeOutput<long long>::WriteTriangles(
-  int*, unsigned char*, vtkIdType*) const;
-template void AdaptiveSqrtThreeOutput<long long>::WriteTriangles(
-  vtkIdType*, unsigned char*, vtkIdType*) const;
 
 }

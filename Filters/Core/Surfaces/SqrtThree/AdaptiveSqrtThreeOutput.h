@@ -28,8 +28,7 @@ public:
   vtkIdType GetNumberOfTriangles() const { return this->Triangles; }
   /// Writes three vertices, the generation, and the control face of each triangle; of a triangle
   /// that lies in two control faces, the one with the smaller number.
-  template <typename Value>
-  void WriteTriangles(Value* vertices, unsigned char* generations, vtkIdType* faces) const;
+  void WriteTriangles(Id* vertices, unsigned char* generations, vtkIdType* faces) const;
 
   /// For each triangle the number of its face in the mesh; for one of odd generation a vacant
   /// number.
@@ -47,15 +46,16 @@ public:
 private:
   void NumberVertices();
   void CountTriangles();
-  Id GetSourceOfHalf(Id face, int corner) const;
+  template <typename Act>
+  void ForTriangles(const Act& act) const;
   void NumberThirds(std::vector<Id>& segments, Buffer<Id>& numbers, Id& next) const;
 
   AdaptiveSqrtThree<Id>& Mesh;
   std::vector<Id> VertexLevels;
   vtkIdType Triangles = 0;
-  Buffer<Id> Counts;            ///< of triangles in each face
-  Buffer<Id> Offsets;           ///< the first of them
-  Buffer<Carrier<Id>> Carriers; ///< of each face, on the control mesh
+  Buffer<Id> Counts;  ///< of triangles in each face
+  Buffer<Id> Offsets; ///< the first of them
+  AdaptiveSqrtThreeCarriers<Id> Carriers;
 };
 
 }

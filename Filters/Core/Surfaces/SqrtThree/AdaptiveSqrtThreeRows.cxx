@@ -15,27 +15,6 @@ namespace subdivision
 namespace
 {
 
-constexpr int TabledPowers = 64;
-
-/// The powers g^steps for g = 1/3. This is the g of regular vertices; on curves two steps together
-/// have g^2 = 1/9.
-constexpr std::array<double, TabledPowers> RegularPowers = []
-{
-  std::array<double, TabledPowers> powers{};
-  double value = 1.;
-  for (double& power : powers)
-  {
-    power = value;
-    value /= 3.;
-  }
-  return powers;
-}();
-
-double GetRegularPower(int steps)
-{
-  return RegularPowers[std::min(steps, TabledPowers - 1)];
-}
-
 /// Added vertices have six neighbours. These are the weights of the mean of the neighbours in the
 /// limit (eq. 7) and in a step (eq. 2).
 constexpr double LimitOfRing = 1. / 2.;
@@ -62,24 +41,26 @@ AdaptiveSqrtThreeRows<Id>::AdaptiveSqrtThreeRows(const AdaptiveSqrtThree<Id>& me
         this->PowerRows[v] = n;
       }
     });
-  std::map<int, int> rows; // by valence
+  std::map<int, int> rows{ { -1, 0 } }; // by valence
+  this->AddPowers(1. / 3.);
   for (int& row : this->PowerRows)
   {
-    if (row < 0)
-    {
-      continue;
-    }
     const auto [found, isNew] = rows.emplace(row, static_cast<int>(this->Powers.size()));
     if (isNew)
     {
-      const double factor = std::max(0., 2. / 3. - GetSqrtThreeRingWeight(row));
-      this->Powers.emplace_back();
-      for (int level = 0; level < MostLevels; ++level)
-      {
-        this->Powers.back()[level] = std::pow(factor, level);
-      }
+      this->AddPowers(std::max(0., 2. / 3. - GetSqrtThreeRingWeight(row)));
     }
     row = found->second;
+  }
+}
+
+template <typename Id>
+void AdaptiveSqrtThreeRows<Id>::AddPowers(double factor)
+{
+  this->Powers.emplace_back();
+  for (int level = 0; level < MostLevels; ++level)
+  {
+    this->Powers.back()[level] = std::pow(factor, level);
   }
 }
 
@@ -97,15 +78,20 @@ bool AdaptiveSqrtThreeRows<Id>::HasFixedEdges(Id face) const
 template <typename Id>
 double AdaptiveSqrtThreeRows<Id>::GetPart(Id vertex, int level) const
 {
+  int row = 0;
+  bool isOnCurve = false;
   if (vertex < this->Mesh.GetNumberOfControlVertices())
   {
-    const int row = this->PowerRows[vertex];
-    return row < 0 ? GetRegularPower(level - level % 2)
-                   : this->Powers[row][std::min(level, MostLevels - 1)];
+    row = this->PowerRows[vertex];
+    isOnCurve = row == 0;
   }
-  const auto& added = this->Mesh.GetAdded(vertex);
-  const int steps = level - added.Level;
-  return GetRegularPower(added.Source < 0 ? steps - steps % 2 : steps);
+  else
+  {
+    const auto& added = this->Mesh.GetAdded(vertex);
+    level -= added.Level;
+    isOnCurve = added.Source < 0;
+  }
+  return this->Powers[row][std::min(isOnCurve ? level - level % 2 : level, MostLevels - 1)];
 }
 
 /// Where a vertex is on a level.
@@ -185,16 +171,6 @@ void AdaptiveSqrtThreeRows<Id>::AddThird(
   this->AddPosition(near, piece.Level, weight * 4. / 9., rows);
   this->AddPosition(far, piece.Level, weight / 3., rows);
   rows.Add(2 * static_cast<vtkIdType>(near) + 1, weight * 2. / 9.);
-}
-
-template <typename Id>
-void AdaptiveSqrtThreeRows<Id>::AddThirdLimit(
-  Id segment, bool isSecond, double weight, RowBlock<Id>& rows) const
-{
-  const auto& piece = this->Mesh.GetSegmentAt(segment);
-  this->AddPosition(piece.Ends[isSecond ? 1 : 0], piece.Level + 2, weight / 6., rows);
-  this->AddThird(segment, isSecond, weight * 2. / 3., rows);
-  this->AddThird(segment, !isSecond, weight / 6., rows);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -388,7 +364,10 @@ template <typename Id>
 void AdaptiveSqrtThreeRows<Id>::AppendThirdLimit(
   Id segment, bool isSecond, RowBlock<Id>& rows) const
 {
-  this->AddThirdLimit(segment, isSecond, 1., rows);
+  const auto& piece = this->Mesh.GetSegmentAt(segment);
+  this->AddPosition(piece.Ends[isSecond ? 1 : 0], piece.Level + 2, 1. / 6., rows);
+  this->AddThird(segment, isSecond, 2. / 3., rows);
+  this->AddThird(segment, !isSecond, 1. / 6., rows);
   rows.EndRow();
 }
 

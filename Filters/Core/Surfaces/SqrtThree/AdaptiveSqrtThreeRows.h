@@ -62,13 +62,13 @@ public:
 private:
   static constexpr int MostLevels = 64;
 
+  void AddPowers(double factor);
   bool HasFixedEdges(Id face) const;
   void AddPosition(Id vertex, int level, double weight, RowBlock<Id>& rows) const;
   void AddCorners(Id face, double weight, RowBlock<Id>& rows) const;
   void AddApex(Id corner, double weight, RowBlock<Id>& rows) const;
   void AddApexAcross(Id corner, double weight, RowBlock<Id>& rows) const;
   void AddThird(Id segment, bool isSecond, double weight, RowBlock<Id>& rows) const;
-  void AddThirdLimit(Id segment, bool isSecond, double weight, RowBlock<Id>& rows) const;
   void AddCentreLimit(Id face, double weight, RowBlock<Id>& rows) const;
   void AddRegularLimit(Id face, double weight, RowBlock<Id>& rows) const;
   void AddCentreTangent(Id face, LimitKind kind, RowBlock<Id>& rows) const;
@@ -80,7 +80,8 @@ private:
   const AdaptiveSqrtThree<Id>& Mesh;
   const SurfaceLevel<Id>& Control;
   const SurfaceScheme<Id>& Scheme;
-  /// Which row of Powers has the powers of g for each control vertex; -1 on curves and at corners.
+  /// Which row of Powers has the powers of g for each control vertex. The first one, of g = 1/3, is
+  /// of added vertices, and of curves and corners: there two steps together have g^2 = 1/9.
   std::vector<int> PowerRows;
   /// g^level for each level and each g that there is: so many powers are needed that computing them
   /// would take a fifth of the time.

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
+#include "Core/Surfaces/Scheme/SplitJoints.h"
 
 namespace subdivision
 {
@@ -32,13 +33,8 @@ public:
     out.NumberOfFaces = 3 * this->Mesh.NumberOfFaces;
     const vtkIdType corners = 3 * out.NumberOfFaces;
     const vtkIdType edges = this->Children.GetNumberOfEdges();
-    const bool isLast = IsLast(depth);
+    const bool isLast = depth == Depth::ForCounts;
     const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed);
-    if (depth != Depth::ForCounts)
-    {
-      out.Vertices = Buffer<Id>(corners);
-      this->WriteFaces(out.Vertices.data());
-    }
     out.EdgesNotStored = hasEdges ? 0 : edges;
     if (hasEdges || !this->Level.Lines.empty())
     {
@@ -53,6 +49,8 @@ public:
     }
     if (!isLast)
     {
+      out.Vertices = Buffer<Id>(corners);
+      this->WriteFaces(out.Vertices.data());
       out.Twins = Buffer<Id>(corners);
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
       ForEach(this->Mesh.NumberOfFaces,
@@ -70,9 +68,9 @@ public:
           }
         });
       this->SetVertexCorners(out);
-      this->SplitJoints(out);
+      SplitJoints(this->Mesh, PiecesIn{ *this, out }, out);
     }
-    this->SplitLines(next.Lines);
+    next.Lines = SplitLines(this->Level.Lines, PiecesIn{ *this, out });
     return next;
   }
 
@@ -84,8 +82,30 @@ public:
   }
 
 private:
-  using Joint = typename PolygonMesh<Id>::Joint;
-  using Sheaf = typename PolygonMesh<Id>::Sheaf;
+  /// For SplitJoints.h: the middle third of an edge keeps its number.
+  struct PiecesIn
+  {
+    const SqrtThreeRefiner& Refiner;
+    const PolygonMesh<Id>& Out;
+
+    int GetNumberOfPieces() const { return this->Refiner.Children.HasThirds() ? 3 : 1; }
+    Id GetPiece(Id edge, int i) const
+    {
+      const bool isWhole = this->GetNumberOfPieces() == 1 || i == 1;
+      return isWhole ? edge : this->Refiner.GetOuter(edge, i / 2);
+    }
+    Id GetPoint(Id edge, int i) const { return this->Refiner.Children.GetThird(edge) + i; }
+    Id GetOnPiece(Id corner, int i) const
+    {
+      const Id edge = this->Refiner.Mesh.Edges[corner];
+      const bool isWhole = this->GetNumberOfPieces() == 1 || i == 1;
+      return isWhole
+        ? 3 * corner
+        : this->Refiner.GetOuterSide(corner, this->Refiner.Mesh.EdgeVertices[2 * edge + i / 2]);
+    }
+    Id GetCornerAt(Id corner, int i) const { return this->Refiner.GetCornerOfThird(corner, i); }
+    Id GetCornerInFan(Id corner) const { return this->Refiner.GetCornerInFan(corner, this->Out); }
+  };
 
   bool IsCut(Id corner) const { return this->Children.HasThirds() && this->IsFixed(corner); }
   bool IsFixed(Id corner) const { return this->Children.IsFixed(corner); }
@@ -325,89 +345,6 @@ private:
     return 3 * cut + (this->RunsAlong(cut) ? third : 1 - third);
   }
 
-  /// The children of joints are joints, and sheaves or their thirds are sheaves. In even steps the
-  /// points that cut sheaves and free edges become joints.
-  void SplitJoints(PolygonMesh<Id>& out) const
-  {
-    const bool cuts = this->Children.HasThirds();
-    std::vector<Id> freeEdges;
-    for (const Joint& joint : this->Mesh.Joints)
-    {
-      Joint child{ joint.Vertex, {}, {} };
-      for (Id corner : joint.Fans)
-      {
-        child.Fans.push_back(this->GetCornerInFan(corner, out));
-      }
-      for (Id edge : joint.FreeEdges)
-      {
-        child.FreeEdges.push_back(cuts ? this->Children.GetOuterEdge(edge, joint.Vertex) : edge);
-        if (this->Mesh.EdgeVertices[2 * edge] == joint.Vertex)
-        {
-          freeEdges.push_back(edge);
-        }
-      }
-      out.Joints.push_back(std::move(child));
-    }
-    auto addJoint = [&](Id edge, int third, std::vector<Id> fans, std::vector<Id> edges)
-    {
-      const Id vertex = this->Children.GetThird(edge) + third;
-      out.VertexCorners[vertex] = static_cast<Id>(-2 - static_cast<vtkIdType>(out.Joints.size()));
-      out.Joints.push_back({ vertex, std::move(fans), std::move(edges) });
-    };
-    for (int i = 0; i < 2 && cuts; ++i)
-    {
-      for (Id edge : freeEdges)
-      {
-        addJoint(edge, i, {}, { edge, this->GetOuter(edge, i) });
-      }
-      for (const Sheaf& sheaf : this->Mesh.Sheaves)
-      {
-        Sheaf outer{ this->GetOuter(sheaf.Edge, i), {} };
-        std::vector<Id> fans;
-        for (Id corner : sheaf.Corners)
-        {
-          const Id vertex = this->Mesh.EdgeVertices[2 * sheaf.Edge + i];
-          outer.Corners.push_back(this->GetOuterSide(corner, vertex));
-          fans.push_back(this->GetCornerOfThird(corner, i));
-        }
-        addJoint(sheaf.Edge, i, std::move(fans), {});
-        out.Sheaves.push_back(std::move(outer));
-      }
-    }
-    for (const Sheaf& sheaf : this->Mesh.Sheaves)
-    {
-      Sheaf child{ sheaf.Edge, {} };
-      for (Id corner : sheaf.Corners)
-      {
-        child.Corners.push_back(3 * corner);
-      }
-      out.Sheaves.push_back(std::move(child));
-    }
-    std::sort(out.Sheaves.begin(), out.Sheaves.end(),
-      [](const Sheaf& a, const Sheaf& b) { return b.Edge > a.Edge; });
-  }
-
-  void SplitLines(Buffer<Id>& lines) const
-  {
-    const Buffer<Id>& old = this->Level.Lines;
-    const bool cuts = this->Children.HasThirds();
-    lines = Buffer<Id>(cuts ? 3 * old.size() : old.size());
-    ForEach(old.size(),
-      [&](vtkIdType i)
-      {
-        if (!cuts)
-        {
-          lines[i] = old[i];
-          return;
-        }
-        const Id edge = old[i] / 2;
-        const Id against = old[i] % 2;
-        lines[3 * i] = 2 * this->GetOuter(edge, against) + against;
-        lines[3 * i + 1] = old[i];
-        lines[3 * i + 2] = 2 * this->GetOuter(edge, 1 - against) + against;
-      });
-  }
-
   const SurfaceLevel<Id>& Level;
   const PolygonMesh<Id>& Mesh;
   SqrtThreeTopology<Id> Children;
@@ -416,7 +353,7 @@ private:
 }
 
 template <typename Id>
-void CountSqrtThreePlaces(SurfaceLevel<Id>& level)
+void SqrtThreeRefinement<Id>::Prepare(SurfaceLevel<Id>& level) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const Buffer<EdgeTag>& tags = level.Tags.Edges;
@@ -459,7 +396,7 @@ namespace
 
 /// `ofEdges`: the tags of edges too.
 template <typename Id>
-SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
+SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
 {
   const SqrtThreeTopology<Id> children(level);
   const vtkIdType edges = level.Mesh.GetNumberOfEdges();
@@ -488,31 +425,32 @@ SurfaceTags<Id> RefineTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&
 }
 
 template <typename Id>
-SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags)
+SurfaceTags<Id> SqrtThreeRefinement<Id>::RefineTags(
+  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const
 {
-  return RefineTags(level, tags, true);
+  return MakeTags(level, tags, true);
 }
 
 template <typename Id>
-SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth)
+SurfaceLevel<Id> SqrtThreeRefinement<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
   SurfaceLevel<Id> next = SqrtThreeRefiner<Id>(level).Run(depth);
-  if (!IsLast(depth))
+  if (depth != Depth::ForCounts)
   {
-    next.Tags = RefineTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
+    next.Tags = MakeTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
   }
   return next;
 }
 
 template <typename Id>
-void WriteSqrtThree(const SurfaceLevel<Id>& level, IdsOut ids)
+void SqrtThreeRefinement<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
 {
   std::visit([&](auto* to) { SqrtThreeRefiner<Id>(level).WriteFaces(to); }, ids);
 }
 
 template <typename Id>
-void ListSqrtThreeChildren(
-  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children)
+void SqrtThreeRefinement<Id>::ListChildren(
+  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children) const
 {
   const SqrtThreeTopology<Id> topology(level);
   const auto append = [&](const IdSegments& parents, const auto& before, IdSegments& list)
@@ -544,10 +482,6 @@ void ListSqrtThreeChildren(
   AppendChildren(segments.Lines, topology.IsEven ? 3 : 1, children.Lines);
 }
 
-SUBDIVISION_COMPILE_FUNCTION(WriteSqrtThree);
-SUBDIVISION_COMPILE_FUNCTION(CountSqrtThreePlaces);
-SUBDIVISION_COMPILE_FUNCTION(ListSqrtThreeChildren);
-SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThree);
-SUBDIVISION_COMPILE_FUNCTION(RefineSqrtThreeTags);
+SUBDIVISION_COMPILE(class SqrtThreeRefinement);
 
 }

@@ -11,27 +11,29 @@
 namespace subdivision
 {
 
-/// Sets SurfaceLevel::HasCurves and, for even steps with fixed edges, SurfaceLevel::Places: the ids
-/// of centres and of the points on fixed edges.
+/// Base class of the scheme: all but its rows.
 template <typename Id>
-void CountSqrtThreePlaces(SurfaceLevel<Id>& level);
-
-template <typename Id>
-SurfaceLevel<Id> RefineSqrtThree(const SurfaceLevel<Id>& level, Depth depth);
-
-/// The vertices of the faces of the next level, one face after the other.
-template <typename Id>
-void WriteSqrtThree(const SurfaceLevel<Id>& level, IdsOut ids);
-
-/// Tags of the next level: thirds of fixed edges are sharp, and the points that cut them lie on
-/// curves. Old vertices and edges keep their tags, and all else is smooth.
-template <typename Id>
-SurfaceTags<Id> RefineSqrtThreeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags);
-
-/// The order of ids after a step.
-template <typename Id>
-void ListSqrtThreeChildren(
-  const SurfaceLevel<Id>& level, const SurfaceSegments& segments, SurfaceSegments& children);
+class SqrtThreeRefinement : public SurfaceScheme<Id>
+{
+public:
+  bool HalvesEdges() const override { return false; }
+  /// Sets SurfaceLevel::HasCurves and, for even steps with fixed edges, SurfaceLevel::Places: the
+  /// ids of centres and of the points on fixed edges.
+  void Prepare(SurfaceLevel<Id>& level) const override;
+  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
+  {
+    return SqrtThreeTopology<Id>(level).GetNumberOfVertices();
+  }
+  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override;
+  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override;
+  /// Thirds of fixed edges are sharp, and the points that cut them lie on curves. Old vertices and
+  /// edges keep their tags, and all else is smooth.
+  SurfaceTags<Id> RefineTags(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override;
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override;
+  int GetCarrierPeriod() const override { return 2; }
+};
 
 }
 

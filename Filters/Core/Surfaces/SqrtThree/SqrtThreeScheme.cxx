@@ -21,44 +21,18 @@ namespace
 {
 
 template <typename Id>
-class SqrtThreeScheme : public SurfaceScheme<Id>
+class SqrtThreeScheme : public SqrtThreeRefinement<Id>
 {
 public:
   bool NeedsTriangles() const override { return true; }
-  bool HalvesEdges() const override { return false; }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 8., 38., 108., 132. }; }
   double CountFaces(double faces, double /*corners*/, int steps) const override
   {
     return faces * std::pow(3., steps);
   }
   void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
-  void Prepare(SurfaceLevel<Id>& level) const override { CountSqrtThreePlaces(level); }
-  vtkIdType GetNumberOfRows(const SurfaceLevel<Id>& level) const override
-  {
-    return SqrtThreeTopology<Id>(level).GetNumberOfVertices();
-  }
   void GetParents(
     const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  SurfaceLevel<Id> Refine(const SurfaceLevel<Id>& level, Depth depth) const override
-  {
-    return RefineSqrtThree(level, depth);
-  }
-  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
-    SurfaceSegments& children) const override
-  {
-    ListSqrtThreeChildren(level, segments, children);
-  }
-  bool WritesFaces() const override { return true; }
-  void WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const override
-  {
-    WriteSqrtThree(level, ids);
-  }
-  SurfaceTags<Id> RefineTags(
-    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const override
-  {
-    return RefineSqrtThreeTags(level, tags);
-  }
-  int GetCarrierPeriod() const override { return 2; }
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
     Buffer<Carrier<Id>>& children) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
@@ -239,10 +213,9 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
 {
   using Steps = std::vector<FanStep<Id>>;
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const auto isSmooth = [&](vtkIdType v) { return tags.Vertices[v] == VertexTag::Smooth; };
   const auto append = [&](Id vertex, const Steps& steps)
   {
-    if (isSmooth(vertex))
+    if (!steps.empty())
     {
       this->AppendSmooth(level, vertex, steps, rows);
     }
@@ -255,9 +228,8 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
       rows.Add(vertex, 1.);
     }
   };
-  const vtkIdType firstMade = level.FirstMade < 0 ? end : std::min(end, level.FirstMade);
-  AppendCycleRows(
-    mesh, SqrtThreeVertex, begin, firstMade, isSmooth,
+  AppendVertexRows(
+    mesh, tags, SqrtThreeVertex, level.FirstMade, begin, end,
     [&](Id vertex, const Steps& steps, Id* columns)
     {
       bool isRegular = steps.size() == 6;
@@ -269,15 +241,7 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
       }
       return isRegular;
     },
-    append, rows);
-  AppendRegularGroups<1>(
-    SqrtThreeVertex, std::max(begin, firstMade), end, [&](vtkIdType row, Id* columns)
-    { return isSmooth(row) && FindRingOfMade(level, static_cast<Id>(row), columns); },
-    [&](vtkIdType row)
-    {
-      const Id vertex = static_cast<Id>(row);
-      append(vertex, isSmooth(row) ? GetCycle(mesh, vertex) : Steps());
-    },
+    [&level](Id vertex, Id* columns) { return FindRingOfMade(level, vertex, columns); }, append,
     rows);
 }
 
@@ -398,10 +362,7 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
   std::vector<Id> edges;
   auto addNext = [&](double weight)
   {
-    for (std::size_t k = 0; k < next.GetNumberOfEntries(); ++k)
-    {
-      rows.Add(next.GetColumns()[k], weight * next.GetWeights()[k]);
-    }
+    AddTimes(next, weight, rows);
     next.Clear();
   };
   this->AppendSmooth(level, vertex, steps, next);
@@ -467,11 +428,7 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
       const bool isFirst = mesh.EdgeVertices[2 * edge] == first;
       third.Clear();
       this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, third);
-      const double weight = getNext();
-      for (std::size_t k = 0; k < third.GetNumberOfEntries(); ++k)
-      {
-        rows.Add(third.GetColumns()[k], weight * third.GetWeights()[k]);
-      }
+      AddTimes(third, getNext(), rows);
     }
   }
 }

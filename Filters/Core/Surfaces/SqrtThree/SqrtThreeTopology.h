@@ -174,9 +174,8 @@ public:
   }
 
   /// The edge of the next level between the apex of a corner's face across the corner's edge and
-  /// the beginning, or the end, of that edge.
+  /// the beginning of that edge.
   Id GetSpokeAtBegin(Id corner) const { return this->GetSpoke(corner, corner); }
-  Id GetSpokeAtEnd(Id corner) const { return this->GetSpoke(corner, this->Mesh.Next(corner)); }
   /// In even steps the edge between the point on a cut edge that is nearer to its beginning, or to
   /// its end, and the vertex opposite to the cut edge.
   Id GetCutSpoke(Id cut, bool atEnd) const

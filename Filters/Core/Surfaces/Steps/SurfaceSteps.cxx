@@ -6,6 +6,7 @@
 #include "Core/Surfaces/Dual/DualPlaces.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
+#include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,11 +97,10 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
       this->ChooseSkipped(step, steps);
     }
     const bool isLast = step + 1 == steps;
-    const Depth depth = lastIsWhole                                       ? Depth::ForRefinement
-      : step >= this->LastMade || (isLast && this->Scheme->WritesFaces()) ? Depth::ForCounts
-      : step + 2 < steps                                                  ? Depth::ForSteps
-      : isLast                                                            ? Depth::ForOutput
-                                                                          : Depth::ForLastStep;
+    const Depth depth = lastIsWhole      ? Depth::ForRefinement
+      : step >= this->LastMade || isLast ? Depth::ForCounts
+      : step + 2 < steps                 ? Depth::ForSteps
+                                         : Depth::ForLastStep;
     this->Levels.push_back(this->Scheme->Refine(level, depth));
   }
   if (lastIsWhole)
@@ -144,13 +144,10 @@ void SurfaceSteps<Id>::Leave(int number, CellSplits& splits, bool crops)
       }
       else if (goesOn[i])
       {
-        const Id face = static_cast<Id>(i - lines);
-        const Id* corners = level.Mesh.Vertices.data() + level.Mesh.GetFirst(face);
-        vertices.insert(vertices.end(), corners, corners + level.Mesh.GetSize(face));
+        AppendOfFace(level.Mesh, level.Mesh.Vertices, static_cast<Id>(i - lines), vertices);
       }
     }
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    SortUnique(vertices);
     SurfacePatch<Id> patch(level, vertices);
     patch.Level.Lines = Buffer<Id>(static_cast<vtkIdType>(linesLeft.size()));
     std::transform(linesLeft.begin(), linesLeft.end(), patch.Level.Lines.begin(),
@@ -176,8 +173,7 @@ template <typename Id>
 void SurfaceSteps<Id>::ChooseSkipped(int step, int steps)
 {
   const SurfaceLevel<Id>& level = this->Levels[step];
-  const StepOfNext<Id>& ofNext = this->Scheme->GetStepOfNext();
-  if (this->LastIsWhole || step + 2 != steps || !ofNext.Skips || !ofNext.Skips(level))
+  if (this->LastIsWhole || step + 2 != steps || !this->Scheme->SkipsNext(level))
   {
     return;
   }
@@ -203,7 +199,7 @@ void SurfaceSteps<Id>::WriteFaces(int level, IdsOut ids) const
   if (vertices.empty() && this->GetNumberOfCorners(level) > 0)
   {
     return this->StartsFromSkipped(level - 1)
-      ? this->Scheme->GetStepOfNext().WriteFaces(this->Levels[this->LastMade], ids)
+      ? this->Scheme->WriteFacesOfNext(this->Levels[this->LastMade], ids)
       : this->Scheme->WriteFaces(this->Levels[level - 1], ids);
   }
   std::visit([&vertices](auto* to) { CopyIds(vertices, to); }, ids);
@@ -218,7 +214,7 @@ void SurfaceSteps<Id>::GetParents(int step, vtkIdType row, std::vector<vtkIdType
     return this->Scheme->GetParents(
       this->Levels[step], left.empty() ? row : vtkIdType(left[row]), parents);
   }
-  this->Scheme->GetStepOfNext().GetParents(this->Levels[this->LastMade], row, parents);
+  this->Scheme->GetParentsOfNext(this->Levels[this->LastMade], row, parents);
 }
 
 template <typename Id>
@@ -355,7 +351,7 @@ typename BlockOperator<Id>::Append SurfaceSteps<Id>::MakeStep(int step) const
     const auto others =
       std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
     return [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-    { this->Scheme->GetStepOfNext().AppendRows(before, *others, begin, end, block); };
+    { this->Scheme->AppendRowsOfNext(before, *others, begin, end, block); };
   }
   return [this, &level](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
   { this->Scheme->AppendRows(level, level.Tags, begin, end, block); };

@@ -2,7 +2,7 @@
 // Mathematics 12: the rows of the modified Butterfly scheme between vertices inside the surface.
 #include "SchemeTools.h"
 
-#include "Core/Surfaces/Butterfly/ButterflyRegular.h"
+#include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 
 using namespace surfacetools;
 
@@ -14,8 +14,7 @@ namespace
 Weights GetRing(const PolygonMesh<int>& mesh, int edge, int corner, double factor)
 {
   RowBlock<int> rows;
-  AppendButterflyRing(
-    mesh, edge, 0, corner, factor, [&](int e) { return mesh.GetOtherEnd(e, 0); }, rows);
+  AppendButterflyRing(mesh, edge, 0, corner, factor, rows);
   return ToWeights(rows);
 }
 

@@ -73,8 +73,8 @@ std::vector<Weights> GetRows(const SurfaceLevel<int>& level, int begin, int end)
     tags.Vertices[v] = edges.empty() ? VertexTag::Smooth : VertexTag::Curve;
   }
   RowBlock<int> rows;
-  AppendQuadVertices(
-    level, tags, begin, end, Members{ level.Mesh },
+  AppendPrimalVertices<4>(
+    level, tags, QuadsAtVertex, begin, end, Members{ level.Mesh }, [](int, int*) { return false; },
     [&](int vertex, const std::vector<FanStep<int>>& steps)
     { rows.Add(vertex, 100. + static_cast<double>(steps.size())); }, rows);
   return ToRows(rows);

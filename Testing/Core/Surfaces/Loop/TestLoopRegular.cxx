@@ -34,9 +34,16 @@ std::vector<Weights> GetRows(const SurfaceLevel<int>& level, const SurfaceTags<i
   LoopWeights weights, int begin, int end)
 {
   RowBlock<int> rows;
-  AppendLoopVertices(
-    level, tags, weights, begin, end, [&](const FanStep<int>& step)
-    { return GetNeighbour(level.Mesh, step); }, [&](int vertex) { rows.Add(vertex, 100.); }, rows);
+  const auto members = [&](const FanStep<int>& step, int* one)
+  { *one = GetNeighbour(level.Mesh, step); };
+  AppendPrimalVertices<3>(
+    level, tags, LoopVertex, begin, end, members, [](int, int*) { return false; },
+    [&](int vertex, const std::vector<FanStep<int>>& steps)
+    {
+      steps.empty() ? rows.Add(vertex, 100.)
+                    : AppendLoopVertex(vertex, weights, steps, members, rows);
+    },
+    rows);
   std::vector<Weights> maps(rows.GetNumberOfRows());
   for (std::size_t row = 0; row < maps.size(); ++row)
   {
@@ -98,19 +105,11 @@ TEST(LoopRegular, RingOfAnySize)
           : weights == LoopWeights::Loop ? 1. - (0.625 - wave * wave)
                                          : 0.625;
         const Weights expected = MakeStar(0, own, Count(1, n), (1. - own) / n);
-        RowBlock<int> rows;
-        AppendLoopVertex(
-          level.Mesh, 0, weights,
-          [&](const FanStep<int>& step) { return GetNeighbour(level.Mesh, step); }, rows);
-        ExpectRow(ToWeights(rows), expected, "one vertex");
         ExpectRow(
           GetRows(level, MakeTags(level.Mesh), weights, 0, 1).at(0), expected, "some vertices");
       }
     }
   }
-  RowBlock<int> rows;
-  AppendLoopRing(8, Rule::Blend, LoopWeights::Warren, Count(1, 7), rows);
-  ExpectRow(ToWeights(rows), MakeStar(8, 9. / 16., Count(1, 7), 1. / 16.), "by another rule");
 }
 
 // Inside a sheet of triangles that lean to the left, rows and others take turns.

@@ -237,6 +237,7 @@ public:
     SurfaceSegments& /*children*/) const override
   {
   }
+  void WriteFaces(const SurfaceLevel<int>& /*level*/, IdsOut /*ids*/) const override {}
   SurfaceTags<int> RefineTags(
     const SurfaceLevel<int>& /*level*/, const SurfaceTags<int>& /*tags*/) const override
   {
