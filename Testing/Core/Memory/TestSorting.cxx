@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // StableSort, SortDistinct and SortByKey: the order of std::stable_sort, for all sizes around those
 // of blocks.
+#include "Precompiled.h"
+
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/Sorting.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
-#include <utility>
-#include <vector>
 
 TEST(StableSort, IsThatOfTheStandard)
 {

@@ -10,10 +10,6 @@
 
 #include "vtkCallbackCommand.h"
 
-#include <algorithm>
-#include <memory>
-#include <vector>
-
 using namespace deformation_tools;
 using subdivision::ReturnedMemory;
 

@@ -3,11 +3,9 @@
  * @file TestPartners.cxx
  * What partitions agree upon by the functions of Partners.
  */
+#include "Precompiled.h"
+
 #include "Private/Partitions/Partners.h"
-
-#include <gtest/gtest.h>
-
-#include <utility>
 
 using namespace subdivision;
 

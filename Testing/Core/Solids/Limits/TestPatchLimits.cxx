@@ -10,12 +10,6 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PatchLimits.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-#include <string>
-
 using namespace coretest;
 
 namespace

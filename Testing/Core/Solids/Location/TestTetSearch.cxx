@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search for many points against a look at every tetrahedron.
+#include "Precompiled.h"
+
 #include "Core/Solids/Location/TetSearch.h"
 
 #include "Core/Operators/CornerRows.h"
 #include "Core/Solids/Location/PointGroups.h"
 #include "Core/Solids/Location/TetFrame.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace
 {

@@ -3,8 +3,6 @@
 // are.
 #include "TetOctTools.h"
 
-#include <gtest/gtest.h>
-
 using namespace tetoct_tools;
 
 namespace

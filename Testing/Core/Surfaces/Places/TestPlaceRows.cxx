@@ -9,8 +9,6 @@
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "SurfaceTools.h"
 
-#include <algorithm>
-
 using namespace surfacetools;
 
 namespace
