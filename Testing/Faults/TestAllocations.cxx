@@ -11,14 +11,8 @@
 
 #include "Options.h"
 
-#include "vtkCellData.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkSubdivisionModelSource.h"
 
@@ -26,10 +20,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
-#include <limits>
-#include <random>
 #include <regex>
-#include <string>
 
 using namespace multi_dimensional_subdivision_tools;
 

@@ -10,13 +10,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkPlaneSource.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <sstream>
-#include <string>
 
 using namespace feature_tools;
 using namespace multi_dimensional_subdivision_tools;

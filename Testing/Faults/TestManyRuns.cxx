@@ -9,20 +9,15 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSMPTools.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphereSource.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <limits>
 
 #if defined(__GLIBC__) && __GLIBC_PREREQ(2, 33) && !defined(__SANITIZE_ADDRESS__) &&               \
   !defined(__SANITIZE_THREAD__)

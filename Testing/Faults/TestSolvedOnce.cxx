@@ -7,11 +7,7 @@
 #include "FailingMemory.h"
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionSmoothness.h"
-
-#include <limits>
 
 using namespace multi_dimensional_subdivision_tools;
 

@@ -8,9 +8,7 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellData.h"
 #include "vtkPlane.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
 
 using namespace partition_tools;

@@ -7,14 +7,10 @@
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 
-#include "vtkCellData.h"
-#include "vtkPointData.h"
 #include "vtkSphere.h"
 
 #include <atomic>
-#include <cmath>
 #include <mutex>
-#include <set>
 
 using namespace partition_tools;
 using subdivision::RefinementOptions;

@@ -6,16 +6,8 @@
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <functional>
-#include <memory>
 #include <mutex>
 
 using namespace partition_tools;

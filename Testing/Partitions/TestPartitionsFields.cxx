@@ -9,11 +9,6 @@
 #include "Private/Uniform/UniformSubdivision.h"
 #include "Private/Values/MaterialFields.h"
 
-#include "vtkCellData.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
-
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
 

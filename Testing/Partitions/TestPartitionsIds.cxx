@@ -7,16 +7,8 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkPlane.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <limits>
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;

@@ -8,14 +8,10 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellData.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <iterator>
 #include <mutex>
-#include <set>
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;

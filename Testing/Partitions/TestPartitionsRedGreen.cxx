@@ -6,13 +6,7 @@
 #include "Private/Distribution/KeptParts.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 
-#include "vtkCellData.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-
 #include <mutex>
-#include <set>
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;

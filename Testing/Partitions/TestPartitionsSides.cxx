@@ -9,14 +9,6 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-
-#include <cmath>
-#include <random>
-
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
 using subdivision::SurfaceOptions;

@@ -6,9 +6,6 @@
 #include "Private/Distribution/KeptParts.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellData.h"
-#include "vtkPointData.h"
-
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
 using subdivision::Block;

@@ -5,11 +5,6 @@
 
 #include "Private/Topology/TopologyProbe.h"
 
-#include "vtkCellData.h"
-#include "vtkFieldData.h"
-
-#include <map>
-
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
 

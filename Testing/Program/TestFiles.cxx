@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Files of each format go out and come back in; sizes are foretold.
+#include "Precompiled.h"
+
 #include "Conversion.h"
 #include "Files.h"
 #include "Messages.h"
@@ -7,25 +9,13 @@
 #include "Pipeline.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiDimensionalSubdivision.h"
-#include "vtkNew.h"
 #include "vtkOutputWindow.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkSubdivisionModelSource.h"
-#include "vtkUnstructuredGrid.h"
 
 #include "vtksys/SystemTools.hxx"
-
-#include <gtest/gtest.h>
 
 #include <fstream>
 #include <sstream>

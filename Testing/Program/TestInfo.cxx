@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --info foretells what then comes out.
+#include "Precompiled.h"
+
 #include "CommandLine.h"
 #include "Files.h"
 #include "Info.h"
 #include "Pipeline.h"
 
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace subdivide;
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Messages of VTK become lines of the program.
+#include "Precompiled.h"
+
 #include "Messages.h"
 
 #include "vtkOutputWindow.h"
-
-#include <gtest/gtest.h>
-
-#include <functional>
 
 using namespace subdivide;
 

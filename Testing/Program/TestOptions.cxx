@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every option of every filter reaches the filter from the command line.
+#include "Precompiled.h"
+
 #include "CommandLine.h"
 #include "Names.h"
 #include "Settings.h"
@@ -8,9 +10,6 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 
-#include <gtest/gtest.h>
-
-#include <set>
 #include <sstream>
 
 using namespace subdivide;

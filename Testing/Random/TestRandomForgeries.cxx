@@ -13,13 +13,10 @@
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkExtractDimensions.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 
 #include <sys/resource.h>
-
-#include <limits>
 
 using namespace random_tools;
 

@@ -4,9 +4,6 @@
 #include "vtkGenericCell.h"
 #include "vtkStaticCellLocator.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace adaptive_filter_tools
 {
 

@@ -11,8 +11,6 @@
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 
-#include <functional>
-
 namespace adaptive_filter_tools
 {
 

@@ -6,12 +6,8 @@
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
 #include "vtkLookupTable.h"
-#include "vtkNew.h"
 #include "vtkSOADataArrayTemplate.h"
-#include "vtkSmartPointer.h"
 #include "vtkVariant.h"
-
-#include <utility>
 
 namespace all_kinds
 {

@@ -3,8 +3,6 @@
 
 #include "vtkGenericCell.h"
 
-#include <map>
-
 namespace bezier_tools
 {
 

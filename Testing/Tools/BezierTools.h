@@ -8,10 +8,7 @@
 
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <functional>
 
 namespace bezier_tools
 {

@@ -3,9 +3,6 @@
 
 #include "Private/Bezier/BezierRoots.h"
 
-#include <map>
-#include <memory>
-
 namespace bound_tools
 {
 namespace

@@ -10,11 +10,8 @@
 
 #include "Core/Operators/MatrixFactors.h"
 
-#include "vtkPolyData.h"
 #include "vtkSubdivisionOperator.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <map>
 
 namespace bound_tools
 {

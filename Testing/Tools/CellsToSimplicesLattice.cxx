@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellsToSimplicesLattice.h"
 
-#include <utility>
-
 namespace cells_to_simplices_tools
 {
 

@@ -8,10 +8,7 @@
 
 #include "CellsToSimplicesTools.h"
 
-#include <array>
 #include <bitset>
-#include <random>
-#include <vector>
 
 namespace cells_to_simplices_tools
 {

@@ -10,24 +10,7 @@
 
 #include "Private/Reading/CellsToSimplices.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellType.h"
-#include "vtkNew.h"
-#include "vtkPoints.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace cells_to_simplices_tools
 {

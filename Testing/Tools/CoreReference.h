@@ -9,8 +9,6 @@
 
 #include "CoreTools.h"
 
-#include <map>
-
 namespace coretest
 {
 

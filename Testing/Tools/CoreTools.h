@@ -6,18 +6,14 @@
 #ifndef SubdivisionObjects_CoreTools_h
 #define SubdivisionObjects_CoreTools_h
 
+#include "Precompiled.h"
+
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 #include "Core/Solids/BoxSpline/Refinement.h"
 #include "Core/Solids/Complex/TetOrder.h"
 
-#include <algorithm>
-#include <array>
 #include <initializer_list>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace coretest
 {

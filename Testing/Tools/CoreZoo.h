@@ -8,12 +8,7 @@
 
 #include "CoreTools.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
 #include <ostream>
-#include <random>
 
 namespace coretest
 {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DualSchemeTools.h"
 
-#include "vtkIdTypeArray.h"
-
-#include <algorithm>
-
 namespace dualtools
 {
 

@@ -7,10 +7,6 @@
 
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
-#include <memory>
-#include <string>
-#include <vector>
-
 namespace dualtools
 {
 

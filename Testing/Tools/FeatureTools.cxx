@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureTools.h"
 
-#include <utility>
-
 namespace feature_tools
 {
 

@@ -9,10 +9,6 @@
 
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include <functional>
-#include <map>
-#include <set>
-
 namespace feature_tools
 {
 

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FileTools.h"
 
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 

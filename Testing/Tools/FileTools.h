@@ -6,16 +6,12 @@
 #ifndef FileTools_h
 #define FileTools_h
 
-#include "vtkNew.h"
+#include "Precompiled.h"
+
 #include "vtkPointSet.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLWriter.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
-#include <string>
 
 namespace file_tools
 {

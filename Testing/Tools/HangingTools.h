@@ -8,10 +8,6 @@
 
 #include "FeatureTools.h"
 
-#include <map>
-#include <string>
-#include <vector>
-
 namespace hanging_tools
 {
 

@@ -3,13 +3,9 @@
 
 #include "vtkBitArray.h"
 #include "vtkCharArray.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkLookupTable.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkTable.h"
-
-#include <limits>
 
 namespace input_contract
 {

@@ -8,11 +8,6 @@
 
 #include "FeatureTools.h"
 
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
-
 namespace input_contract
 {
 

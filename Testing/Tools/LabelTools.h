@@ -11,8 +11,6 @@
 #include "vtkImageData.h"
 #include "vtkSubdivisionLabelSolid.h"
 
-#include <functional>
-
 namespace label_tools
 {
 

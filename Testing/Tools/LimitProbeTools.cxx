@@ -3,8 +3,6 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include <algorithm>
-
 namespace limit_probe_tools
 {
 

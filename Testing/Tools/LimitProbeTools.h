@@ -11,9 +11,6 @@
 
 #include "vtkSubdivisionLimitProbe.h"
 
-#include <cmath>
-#include <vector>
-
 namespace limit_probe_tools
 {
 

@@ -8,8 +8,6 @@
 
 #include "FeatureTools.h"
 
-#include <random>
-
 namespace feature_tools
 {
 

@@ -5,11 +5,6 @@
 
 #include "vtkSurfaceSubdivision.h"
 
-#include <algorithm>
-#include <map>
-#include <random>
-#include <set>
-
 namespace modified_boundary_tools
 {
 

@@ -9,10 +9,6 @@
 
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkPolyData.h"
-
-#include <functional>
-
 namespace modified_boundary_tools
 {
 

@@ -6,40 +6,16 @@
 #ifndef SubdivisionObjects_MultiDimensionalSubdivisionTools_h
 #define SubdivisionObjects_MultiDimensionalSubdivisionTools_h
 
+#include "Precompiled.h"
+
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "vtkBitArray.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkSMPTools.h"
-#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace multi_dimensional_subdivision_tools
 {

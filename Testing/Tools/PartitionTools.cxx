@@ -3,19 +3,10 @@
 
 #include "Private/Distribution/PointIds.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSetSurfaceFilter.h"
-#include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkIntArray.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSubdivisionModelSource.h"
 
 #include <cstring>
-#include <numeric>
-#include <random>
-#include <set>
 
 namespace partition_tools
 {

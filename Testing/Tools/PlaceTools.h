@@ -6,18 +6,7 @@
 #ifndef PlaceTools_h
 #define PlaceTools_h
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <vector>
+#include "Precompiled.h"
 
 namespace place_tools
 {

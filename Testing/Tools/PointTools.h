@@ -6,8 +6,7 @@
 #ifndef SubdivisionObjects_PointTools_h
 #define SubdivisionObjects_PointTools_h
 
-#include <array>
-#include <cmath>
+#include "Precompiled.h"
 
 namespace point_tools
 {

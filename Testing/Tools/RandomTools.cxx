@@ -2,7 +2,6 @@
 #include "RandomTools.h"
 
 #include "vtkPointSet.h"
-#include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
 
 namespace random_tools

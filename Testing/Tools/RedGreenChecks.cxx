@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RedGreenChecks.h"
 
-#include <cmath>
-
 namespace redgreen_reference
 {
 

@@ -8,10 +8,6 @@
 
 #include "RedGreenReference.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-
 namespace redgreen_reference
 {
 

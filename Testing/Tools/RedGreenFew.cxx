@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RedGreenFew.h"
 
-#include <gtest/gtest.h>
-
 namespace redgreen_reference
 {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RedGreenRefinementTools.h"
 
-#include <limits>
-
 namespace red_green_refinement_tools
 {
 

@@ -11,10 +11,6 @@
 
 #include "vtkRedGreenRefinement.h"
 
-#include <functional>
-#include <map>
-#include <set>
-
 namespace red_green_refinement_tools
 {
 

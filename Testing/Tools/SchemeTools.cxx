@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SchemeTools.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-
 namespace surfacetools
 {
 

@@ -11,10 +11,6 @@
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
-#include <map>
-#include <memory>
-#include <string>
-
 namespace surfacetools
 {
 

@@ -10,8 +10,6 @@
 
 #include "vtkSimplicialComplexTopology.h"
 
-#include <functional>
-
 namespace simplicial_complex_topology_tools
 {
 

@@ -10,8 +10,6 @@
 
 #include "vtkSubdivisionDeformation.h"
 
-#include "vtkPolyData.h"
-
 namespace deformation_tools
 {
 

@@ -2,7 +2,6 @@
 #include "SurfacePlaceTools.h"
 
 #include "vtkCell.h"
-#include "vtkIdList.h"
 
 namespace surfacetools
 {

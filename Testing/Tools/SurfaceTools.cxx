@@ -4,11 +4,8 @@
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 
 #include "vtkDataArray.h"
-#include "vtkPoints.h"
 
-#include <algorithm>
 #include <cstring>
-#include <utility>
 
 namespace surfacetools
 {

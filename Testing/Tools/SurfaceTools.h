@@ -15,20 +15,6 @@
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 #include "Core/Surfaces/Steps/SurfaceSchemes.h"
 
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <functional>
-#include <map>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
-
 namespace surfacetools
 {
 

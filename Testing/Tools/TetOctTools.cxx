@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetOctTools.h"
 
-#include <functional>
-
 namespace tetoct_tools
 {
 

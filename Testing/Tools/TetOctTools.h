@@ -13,8 +13,6 @@
 #include "Core/Solids/TetOct/TetOctSplit.h"
 #include "Core/Solids/TetOct/TetOctTables.h"
 
-#include <map>
-
 namespace tetoct_tools
 {
 

@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Plain memory and plain loops: Buffer, GrowingBuffer, Rows, ForEach, ForRanges, CountsToOffsets.
+#include "Precompiled.h"
+
 #include "Core/Memory/GrowingBuffer.h"
 
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
 #include <mutex>
 #include <new>
-#include <numeric>
-#include <set>
 #include <stdexcept>
-#include <string>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace
 {

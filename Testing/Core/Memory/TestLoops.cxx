@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Loops: every element once, and BetweenLoops acts within long ones, where it may end them.
+#include "Precompiled.h"
+
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/UnevenRanges.h"
 
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <new>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <vector>
 
 using namespace subdivision;
 

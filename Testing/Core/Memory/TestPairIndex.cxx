@@ -1,15 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PairIndex against its definition: pairs in order, and how many different ones come before each.
+#include "Precompiled.h"
+
 #include "Core/Memory/PairIndex.h"
-
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace
 {

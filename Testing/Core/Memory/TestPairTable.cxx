@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PairTable against a map, while it grows, and with ids of 64 bits.
+#include "Precompiled.h"
+
 #include "Core/Memory/PairTable.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <random>
-#include <utility>
 
 namespace
 {

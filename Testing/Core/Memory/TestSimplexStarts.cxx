@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Places of simplices are running sums, whether they are stored or are a product.
+#include "Precompiled.h"
+
 #include "Core/Memory/SimplexStarts.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <random>
 
 namespace
 {

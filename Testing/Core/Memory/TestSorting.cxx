@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // StableSort and SortDistinct: the order of std::stable_sort, for all sizes around those of blocks.
+#include "Precompiled.h"
+
 #include "Core/Memory/Buffer.h"
 #include "Core/Memory/Sorting.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
-#include <utility>
-#include <vector>
 
 TEST(StableSort, IsThatOfTheStandard)
 {

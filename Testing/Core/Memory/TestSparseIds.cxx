@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SparseIds: -1 where nothing was set, and memory for pages with ids only.
+#include "Precompiled.h"
+
 #include "Core/Memory/SparseIds.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
 
 namespace
 {

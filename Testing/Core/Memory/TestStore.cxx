@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Store: integers are rounded and stay in range, and a finite number never becomes infinite.
+#include "Precompiled.h"
+
 #include "Core/Memory/Store.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 namespace
 {

@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // NumberTuples against its definition: leading tuples first, then the others by their vertices.
+#include "Precompiled.h"
+
 #include "Core/Memory/TupleIndex.h"
-
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <random>
-#include <set>
-#include <vector>
 
 namespace
 {

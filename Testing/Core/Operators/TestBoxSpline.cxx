@@ -4,13 +4,9 @@
  * Weights of control points beside polynomials that are multiplied out: of the box spline (its
  * weights in Mathematics 8) and of products of B-splines; and what is exact at corners.
  */
+#include "Precompiled.h"
+
 #include "Core/Operators/BoxSpline.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 using namespace subdivision;
 

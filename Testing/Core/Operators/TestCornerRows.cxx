@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows over the corners of simplices: the same as sparse rows, for any number of threads.
+#include "Precompiled.h"
+
 #include "Core/Operators/CornerRows.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <random>
-#include <vector>
 
 namespace
 {

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 8, Interpolation: the solver alone, on matrices whose solutions are known.
+#include "Precompiled.h"
+
 #include "Core/Operators/Interpolation.h"
 
 #include "Core/Operators/SparseRows.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <utility>
-#include <vector>
 
 namespace
 {

@@ -8,16 +8,8 @@
 
 #include "vtkType.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <cstring>
-#include <limits>
-#include <memory>
-#include <random>
 #include <type_traits>
-#include <vector>
 
 using namespace subdivision;
 using namespace coretest;

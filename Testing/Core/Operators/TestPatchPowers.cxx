@@ -4,12 +4,9 @@
  * Polynomials of two variables: products, derivatives along directions that are not the axes, and
  * sums for any number of columns.
  */
+#include "Precompiled.h"
+
 #include "Core/Operators/PatchPowers.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
 
 using namespace subdivision;
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tables of masks: what a function computes, once for each rule and size that tables have.
+#include "Precompiled.h"
+
 #include "Core/Operators/RingMasks.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <utility>
 
 using namespace subdivision;
 

@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows that share their weights are those of rows added entry by entry, bit for bit.
+#include "Precompiled.h"
+
 #include "Core/Operators/BlockOperator.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <random>
-#include <vector>
 
 namespace
 {

@@ -7,14 +7,6 @@
 
 #include "Core/Operators/ShadingNormals.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <vector>
-
 using namespace subdivision;
 using namespace point_tools;
 

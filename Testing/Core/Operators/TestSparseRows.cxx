@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Rows with weights of their own: what applying and multiplying them gives, against dense algebra.
+#include "Precompiled.h"
+
 #include "Core/Operators/SparseRows.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <random>
-#include <vector>
 
 namespace
 {

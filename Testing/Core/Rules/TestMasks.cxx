@@ -4,11 +4,6 @@
 
 #include "Core/Rules/Masks.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <map>
-
 using namespace coretest;
 
 namespace

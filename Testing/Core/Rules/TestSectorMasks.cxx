@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 12: the weights of sectors, against what they are made for.
+#include "Precompiled.h"
+
 #include "Core/Rules/SectorMasks.h"
-
-#include <gtest/gtest.h>
-
-#include <string>
-#include <vector>
 
 using namespace subdivision;
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eigenvalues and eigenvectors of small matrices whose answers are known.
+#include "Precompiled.h"
+
 #include "Core/Smoothness/LocalMatrix.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace subdivision;
 

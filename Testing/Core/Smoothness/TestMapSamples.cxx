@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which maps are regular and injective.
+#include "Precompiled.h"
+
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/MapSamples.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace subdivision;
 

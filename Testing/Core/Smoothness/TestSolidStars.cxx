@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eigenvalues and characteristic maps of volume schemes: against Mathematics 9 and 10, and against
 // each other where two ways lead to the same matrix.
+#include "Precompiled.h"
+
 #include "Core/Smoothness/SolidMaps.h"
 #include "Core/Smoothness/SolidSpectra.h"
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace subdivision;
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Characteristic maps as meshes: regular ones are lattices, a step repeats them with the
 // eigenvalues, symmetric stars have symmetric ones, and where they fold a Jacobian is negative.
+#include "Precompiled.h"
+
 #include "Core/Rules/Pi.h"
 #include "Core/Smoothness/SolidMaps.h"
 #include "Core/Smoothness/SurfaceStars.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace subdivision;
 

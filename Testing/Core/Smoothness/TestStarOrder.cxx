@@ -3,14 +3,9 @@
  * @file TestStarOrder.cxx
  * Stars of vertices that are the same but for the numbers of their vertices become the same.
  */
+#include "Precompiled.h"
+
 #include "Core/Smoothness/SolidMaps.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <numeric>
-#include <random>
-#include <vector>
 
 using namespace subdivision;
 

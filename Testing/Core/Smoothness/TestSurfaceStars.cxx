@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Eigenvalues and characteristic maps of surface schemes: against closed forms, and against what
 // the survey and Mathematics 9 to 12 say of valences at which conditions fail.
+#include "Precompiled.h"
+
 #include "Core/Smoothness/SurfaceStars.h"
 
 #include "Core/Rules/Pi.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 
 using namespace subdivision;
 

@@ -6,11 +6,6 @@
 #include "Private/AdaptiveSurface/AdaptiveSurfaceValues.h"
 #include "Private/Reading/CellsToSimplices.h"
 
-#include "vtkDoubleArray.h"
-
-#include <memory>
-#include <numeric>
-
 using namespace surfacetools;
 
 namespace

@@ -3,16 +3,9 @@
 
 #include "AdaptiveFilterTools.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkMath.h"
 #include "vtkStringArray.h"
 #include "vtkTriangle.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <functional>
-#include <limits>
 
 using namespace adaptive_filter_tools;
 

@@ -5,18 +5,11 @@
 #include "AdaptiveFilterTools.h"
 
 #include "vtkCompositeDataPipeline.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphere.h"
 #include "vtkTrivialProducer.h"
-
-#include <functional>
-#include <set>
-#include <string>
-#include <vector>
 
 using namespace adaptive_filter_tools;
 

@@ -6,7 +6,6 @@
 
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkUnsignedCharArray.h"
 
 using namespace adaptive_filter_tools;
 

@@ -15,15 +15,12 @@
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkExtractDimensions.h"
 #include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphere.h"
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
-
-#include <algorithm>
 
 using namespace feature_tools;
 

@@ -16,16 +16,12 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkExtractDimensions.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <set>
 
 using namespace all_kinds;
 using namespace deformation_tools;

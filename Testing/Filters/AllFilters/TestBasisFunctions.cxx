@@ -7,9 +7,6 @@
 
 #include "vtkSurfaceSubdivision.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPolyData.h"
 #include "vtkSubdivisionOperator.h"
 
 using namespace feature_tools;

@@ -10,11 +10,8 @@
 #include "Private/Reading/HangingNodes.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkTetra.h"
 #include "vtkTriangle.h"
-
-#include <map>
 
 using namespace hanging_tools;
 

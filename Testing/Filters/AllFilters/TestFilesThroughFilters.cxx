@@ -10,7 +10,6 @@
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkExtractDimensions.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionCageSource.h"

@@ -11,9 +11,6 @@
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <cmath>
-#include <set>
-
 using namespace hanging_tools;
 
 TEST(HangingNodes, AreCountedAndToldWithTheFirstCell)

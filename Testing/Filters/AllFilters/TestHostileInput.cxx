@@ -5,10 +5,6 @@
  */
 #include "FeatureTools.h"
 
-#include "vtkFloatArray.h"
-
-#include <limits>
-
 using namespace feature_tools;
 
 namespace

@@ -9,7 +9,6 @@
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSelection.h"

@@ -7,9 +7,7 @@
 #include "FeatureTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkFloatArray.h"
 #include "vtkMultiDimensionalSubdivision.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSubdivision.h"

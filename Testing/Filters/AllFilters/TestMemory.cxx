@@ -18,8 +18,6 @@
 #include <sys/resource.h>
 #endif
 
-#include <cmath>
-
 using multi_dimensional_subdivision_tools::Messages;
 
 namespace

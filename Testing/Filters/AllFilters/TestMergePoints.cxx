@@ -5,14 +5,7 @@
  */
 #include "FeatureTools.h"
 
-#include "vtkFloatArray.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <cmath>
-#include <limits>
-#include <set>
 
 using namespace feature_tools;
 

@@ -7,8 +7,6 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"

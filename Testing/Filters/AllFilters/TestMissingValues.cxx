@@ -10,9 +10,6 @@
 #include "vtkCharArray.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <functional>
-#include <limits>
-
 using namespace surfacetools;
 using feature_tools::MakeKuhnBox;
 using multi_dimensional_subdivision_tools::Grid;

@@ -6,8 +6,6 @@
  */
 #include "LimitProbeTools.h"
 
-#include "vtkPolyData.h"
-
 using namespace limit_probe_tools;
 
 namespace

@@ -3,17 +3,11 @@
 
 #include "AdaptiveFilterTools.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphere.h"
 #include "vtkTrivialProducer.h"
-
-#include <functional>
-#include <string>
-#include <vector>
 
 using namespace adaptive_filter_tools;
 

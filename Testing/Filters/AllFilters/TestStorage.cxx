@@ -7,7 +7,6 @@
 
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
-#include "vtkCellArray.h"
 #include "vtkRedGreenRefinement.h"
 
 using namespace multi_dimensional_subdivision_tools;

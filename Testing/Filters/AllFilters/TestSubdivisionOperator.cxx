@@ -6,15 +6,9 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSubdivisionOperator.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include "vtkPolyData.h"
-
-#include <functional>
-#include <set>
 
 using namespace multi_dimensional_subdivision_tools;
 

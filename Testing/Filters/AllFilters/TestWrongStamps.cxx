@@ -6,16 +6,10 @@
  */
 #include "FeatureTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <set>
 
 using namespace multi_dimensional_subdivision_tools;
 

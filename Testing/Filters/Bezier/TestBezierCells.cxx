@@ -12,9 +12,6 @@
 #include "vtkTetra.h"
 #include "vtkTriangle.h"
 
-#include <map>
-#include <set>
-
 using namespace bezier_tools;
 
 namespace

@@ -11,8 +11,6 @@
 #include "vtkSubdivisionOperator.h"
 
 #include "vtkGenericCell.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 
 using namespace bezier_tools;
 

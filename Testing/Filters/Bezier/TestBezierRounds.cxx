@@ -6,12 +6,8 @@
  */
 #include "BezierTools.h"
 
-#include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionModelSource.h"
-
-#include <utility>
 
 using namespace bezier_tools;
 

@@ -11,8 +11,6 @@
 
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <map>
-
 using namespace bezier_tools;
 using place_tools::Evaluate;
 using place_tools::Places;

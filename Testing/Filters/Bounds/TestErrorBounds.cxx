@@ -8,8 +8,6 @@
 
 #include "Private/Bezier/PatchShape.h"
 
-#include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace bound_tools;

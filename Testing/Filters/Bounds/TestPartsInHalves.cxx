@@ -9,11 +9,6 @@
 #include "Private/Bounds/Deviations.h"
 #include "Private/Bounds/PartsAsCells.h"
 
-#include <algorithm>
-#include <numeric>
-#include <random>
-#include <vector>
-
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::Buffer;

@@ -14,10 +14,6 @@
 #include "Private/Bounds/ThirdsReader.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 
-#include <numeric>
-#include <set>
-#include <utility>
-
 using namespace bound_tools;
 using bezier_tools::MakeSheet;
 using subdivision::ApplyFactors;

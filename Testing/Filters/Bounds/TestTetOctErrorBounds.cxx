@@ -5,10 +5,6 @@
  */
 #include "TetOctBoundTools.h"
 
-#include "vtkSMPTools.h"
-
-#include <numeric>
-
 using namespace bound_tools;
 
 namespace

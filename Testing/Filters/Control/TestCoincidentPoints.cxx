@@ -8,12 +8,8 @@
 #include "FileTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkFloatArray.h"
-#include "vtkPolyData.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <cmath>
 
 using namespace feature_tools;
 

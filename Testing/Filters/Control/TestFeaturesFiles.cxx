@@ -7,8 +7,6 @@
 #include "FeatureTools.h"
 #include "FileTools.h"
 
-#include <set>
-
 using namespace feature_tools;
 using namespace file_tools;
 

@@ -6,8 +6,6 @@
  */
 #include "FeatureTools.h"
 
-#include <cmath>
-
 using namespace feature_tools;
 
 namespace

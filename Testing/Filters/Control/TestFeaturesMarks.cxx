@@ -6,9 +6,7 @@
  */
 #include "MarkTools.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
-#include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSimplicialComplexTopology.h"

@@ -6,8 +6,6 @@
  */
 #include "MarkTools.h"
 
-#include <limits>
-
 using namespace feature_tools;
 
 namespace

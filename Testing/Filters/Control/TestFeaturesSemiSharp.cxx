@@ -5,8 +5,6 @@
  */
 #include "FeatureTools.h"
 
-#include <limits>
-
 using namespace feature_tools;
 
 namespace

@@ -5,8 +5,6 @@
  */
 #include "TetOctFilterTools.h"
 
-#include <limits>
-
 using namespace tet_oct_filter_tools;
 
 namespace

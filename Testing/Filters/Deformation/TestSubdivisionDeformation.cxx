@@ -5,8 +5,6 @@
  */
 #include "SubdivisionDeformationTools.h"
 
-#include "vtkMultiBlockDataSet.h"
-#include "vtkSMPTools.h"
 #include "vtkStructuredGrid.h"
 
 using namespace deformation_tools;

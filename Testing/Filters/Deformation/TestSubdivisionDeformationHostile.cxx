@@ -6,9 +6,6 @@
 #include "SubdivisionDeformationTools.h"
 
 #include "vtkExplicitStructuredGrid.h"
-#include "vtkMultiBlockDataSet.h"
-
-#include <limits>
 
 using namespace deformation_tools;
 

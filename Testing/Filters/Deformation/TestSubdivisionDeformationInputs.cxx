@@ -8,9 +8,6 @@
 #include "Private/Deformation/EmbeddedPoints.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
-#include <limits>
-#include <utility>
-
 using namespace deformation_tools;
 
 namespace

@@ -15,11 +15,6 @@
 #include "vtkSubdivisionModelSource.h"
 #include "vtkTrivialProducer.h"
 
-#include <algorithm>
-#include <limits>
-#include <random>
-#include <vector>
-
 using namespace deformation_tools;
 
 namespace

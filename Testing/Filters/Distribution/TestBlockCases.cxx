@@ -6,18 +6,12 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkCellArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIntArray.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkPointData.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkStringArray.h"
 #include "vtkSurfaceSubdivision.h"
 #include "vtkTypeInt32Array.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedLongLongArray.h"
 
 using namespace multi_dimensional_subdivision_tools;

@@ -5,11 +5,7 @@
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
-#include "vtkCellData.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;

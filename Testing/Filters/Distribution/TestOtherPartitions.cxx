@@ -3,11 +3,9 @@
  * @file TestOtherPartitions.cxx
  * What partitions agree upon by the functions of Exchange.
  */
+#include "Precompiled.h"
+
 #include "Private/Partitions/OtherPartitions.h"
-
-#include <gtest/gtest.h>
-
-#include <utility>
 
 using namespace subdivision;
 

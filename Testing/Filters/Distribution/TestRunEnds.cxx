@@ -3,7 +3,6 @@
 #include "FeatureTools.h"
 #include "PartitionTools.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkSurfaceSubdivision.h"
 
 using namespace partition_tools;

@@ -8,18 +8,11 @@
 
 #include "vtkSubdivisionLabelSolid.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
-#include "vtkPolyData.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
-
-#include <cmath>
-#include <functional>
-#include <map>
-#include <set>
 
 using namespace label_tools;
 

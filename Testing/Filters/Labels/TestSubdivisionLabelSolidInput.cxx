@@ -7,15 +7,12 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkDoubleArray.h"
 #include "vtkMath.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStringArray.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
-
-#include <cmath>
 
 using namespace label_tools;
 

@@ -12,12 +12,6 @@
 #include "vtkTypeInt8Array.h"
 #include "vtkTypeUInt64Array.h"
 
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <map>
-#include <set>
-
 using namespace label_tools;
 
 namespace

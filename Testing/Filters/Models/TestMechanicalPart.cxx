@@ -4,23 +4,12 @@
  * What the mechanical part of vtkSubdivisionModelSource promises beyond all models: its rims and
  * its singular cells.
  */
+#include "Precompiled.h"
+
 #include "vtkSubdivisionModelSource.h"
 
-#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <set>
-#include <vector>
 
 namespace
 {

@@ -8,8 +8,6 @@
 
 #include "vtkSubdivisionCageSource.h"
 
-#include "vtkMultiBlockDataSet.h"
-
 using namespace deformation_tools;
 
 namespace

@@ -7,30 +7,12 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdList.h"
-#include "vtkIntArray.h"
 #include "vtkMath.h"
 #include "vtkMultiDimensionalSubdivision.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstdlib>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
 
 namespace
 {

@@ -3,13 +3,9 @@
  * @file TestPatchMinimum.cxx
  * The least value of polynomials over lines, triangles and quads, against many places.
  */
+#include "Precompiled.h"
+
 #include "Private/Places/PatchMinimum.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
 
 using namespace subdivision;
 

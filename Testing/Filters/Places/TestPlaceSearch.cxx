@@ -3,14 +3,9 @@
  * @file TestPlaceSearch.cxx
  * Newton's method for nearest places, on maps that are written down here.
  */
+#include "Precompiled.h"
+
 #include "Private/Places/PlaceSearch.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cstddef>
-#include <utility>
-#include <vector>
 
 using namespace subdivision;
 

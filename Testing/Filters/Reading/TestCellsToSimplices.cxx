@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellsToSimplicesTools.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkPolyData.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 using namespace cells_to_simplices_tools;
 

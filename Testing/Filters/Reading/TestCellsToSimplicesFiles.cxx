@@ -4,14 +4,7 @@
 
 #include "Private/Reading/ReadableMesh.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <iostream>
-#include <map>
-#include <string>
-#include <vector>
 
 using namespace cells_to_simplices_tools;
 using namespace file_tools;

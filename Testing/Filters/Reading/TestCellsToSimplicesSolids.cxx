@@ -2,18 +2,7 @@
 #include "CellsToSimplicesLattice.h"
 #include "CellsToSimplicesTools.h"
 
-#include "vtkSMPTools.h"
 #include "vtkSOADataArrayTemplate.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <map>
-#include <random>
-#include <set>
-#include <tuple>
-#include <vector>
 
 using namespace cells_to_simplices_tools;
 

@@ -6,20 +6,12 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkAMRBox.h"
-#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkOverlappingAMR.h"
-#include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSubdivisionLabelSolid.h"
 #include "vtkSurfaceSubdivision.h"
 #include "vtkUniformGrid.h"
-
-#include <array>
-#include <cmath>
-#include <set>
 
 using namespace multi_dimensional_subdivision_tools;
 using Filter = vtkMultiDimensionalSubdivision;

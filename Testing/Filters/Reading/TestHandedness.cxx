@@ -5,7 +5,6 @@
  */
 #include "MultiDimensionalSubdivisionTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkExplicitStructuredGrid.h"
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"

@@ -3,16 +3,9 @@
  * @file TestNearPoints.cxx
  * Groups of near points are those of an exhaustive search, in any order.
  */
+#include "Precompiled.h"
+
 #include "Private/Reading/NearPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <random>
 
 using namespace subdivision;
 

@@ -9,11 +9,7 @@
 
 #include "Private/Reading/NonLinearCells.h"
 
-#include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
-
-#include <gtest/gtest.h>
 
 using namespace cells_to_simplices_tools;
 

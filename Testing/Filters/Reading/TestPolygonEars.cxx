@@ -1,18 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Precompiled.h"
+
 #include "Private/Reading/PolygonEars.h"
-
-#include "vtkNew.h"
-#include "vtkPoints.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numeric>
-#include <random>
-#include <string>
-#include <vector>
 
 using subdivision::PointOrder;
 using subdivision::PolygonEars;

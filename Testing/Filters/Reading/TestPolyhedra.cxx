@@ -10,8 +10,6 @@
 
 #include "vtkExtractDimensions.h"
 
-#include <limits>
-
 using namespace feature_tools;
 
 TEST(Polyhedra, PolyhedraFitToTheirNeighbours)

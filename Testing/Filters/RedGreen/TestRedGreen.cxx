@@ -10,9 +10,6 @@
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 #include "Private/Reading/CellsToSimplices.h"
 
-#include "vtkNew.h"
-#include "vtkUnstructuredGrid.h"
-
 using namespace file_tools;
 using namespace redgreen_reference;
 

@@ -10,9 +10,6 @@
 
 #include "vtkCallbackCommand.h"
 
-#include <cmath>
-#include <utility>
-
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif

@@ -6,7 +6,6 @@
 #include "PointTools.h"
 #include "RedGreenRefinementTools.h"
 
-#include "vtkPolyData.h"
 #include "vtkSphereSource.h"
 #include "vtkSubdivisionModelSource.h"
 

@@ -5,7 +5,6 @@
  */
 #include "RedGreenRefinementTools.h"
 
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace red_green_refinement_tools;

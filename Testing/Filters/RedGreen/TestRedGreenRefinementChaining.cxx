@@ -9,8 +9,6 @@
 
 #include "Core/Solids/RedGreen/RedGreenTables.h"
 
-#include <limits>
-
 using namespace file_tools;
 using namespace red_green_refinement_tools;
 

@@ -7,14 +7,11 @@
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkSphere.h"
 #include "vtkTrivialProducer.h"
-
-#include <limits>
 
 using namespace red_green_refinement_tools;
 

@@ -6,8 +6,6 @@
  */
 #include "RedGreenRefinementTools.h"
 
-#include <limits>
-
 using namespace red_green_refinement_tools;
 
 namespace

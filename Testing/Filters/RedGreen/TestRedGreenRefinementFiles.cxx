@@ -8,7 +8,6 @@
 #include "RedGreenChecks.h"
 #include "RedGreenRefinementTools.h"
 
-#include "vtkPolyData.h"
 #include "vtkSphere.h"
 
 using namespace file_tools;

@@ -10,12 +10,9 @@
 #include "vtkInformationVector.h"
 #include "vtkLongLongArray.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkSphere.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGridAlgorithm.h"
-
-#include <limits>
 
 using namespace red_green_refinement_tools;
 

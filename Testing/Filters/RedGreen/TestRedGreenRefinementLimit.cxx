@@ -8,7 +8,6 @@
 #include "vtkCellLocator.h"
 #include "vtkDataSetSurfaceFilter.h"
 #include "vtkGenericCell.h"
-#include "vtkPolyData.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace red_green_refinement_tools;

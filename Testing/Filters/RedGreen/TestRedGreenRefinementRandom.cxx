@@ -8,8 +8,6 @@
 
 #include "vtkSphere.h"
 
-#include <limits>
-
 using namespace red_green_refinement_tools;
 
 namespace

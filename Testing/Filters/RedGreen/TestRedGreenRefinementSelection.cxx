@@ -7,10 +7,8 @@
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkInformation.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPlane.h"
 #include "vtkPlanes.h"
-#include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkTrivialProducer.h"

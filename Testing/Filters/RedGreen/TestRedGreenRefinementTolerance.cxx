@@ -9,8 +9,6 @@
 
 #include "vtkMath.h"
 
-#include <limits>
-
 using namespace red_green_refinement_tools;
 using namespace point_tools;
 

@@ -8,9 +8,6 @@
 
 #include "vtkSubdivisionSmoothness.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-
 using namespace feature_tools;
 
 namespace

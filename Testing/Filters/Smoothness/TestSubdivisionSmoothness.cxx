@@ -11,17 +11,12 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkPlatonicSolidSource.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <map>
 #include <sstream>
-#include <vector>
 
 using namespace simplicial_complex_topology_tools;
 

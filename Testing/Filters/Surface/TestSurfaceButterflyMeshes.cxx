@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 12: the modified Butterfly scheme on meshes.
+#include "Precompiled.h"
+
 #include "vtkSurfaceSubdivision.h"
 
 #include "vtkButterflySubdivisionFilter.h"
-#include "vtkCellArray.h"
-#include "vtkNew.h"
 #include "vtkPlatonicSolidSource.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
 
 namespace
 {

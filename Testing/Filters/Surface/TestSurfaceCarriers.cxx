@@ -5,13 +5,7 @@
 #include "SurfaceTools.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellData.h"
-#include "vtkIntArray.h"
 #include "vtkStringArray.h"
-
-#include <gtest/gtest.h>
-
-#include <numeric>
 
 using namespace surfacetools;
 using multi_dimensional_subdivision_tools::GetPoint;

@@ -5,10 +5,6 @@
 #include "DualSchemeTools.h"
 #include "PointTools.h"
 
-#include "vtkPointData.h"
-
-#include <functional>
-
 using namespace dualtools;
 using namespace point_tools;
 

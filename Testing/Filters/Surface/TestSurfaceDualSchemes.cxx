@@ -2,8 +2,6 @@
 // What holds for both dual schemes: rows, incidences, boundaries, and the filter around them.
 #include "DualSchemeTools.h"
 
-#include <set>
-
 using namespace dualtools;
 
 namespace

@@ -7,11 +7,6 @@
 #include "SurfaceTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkCellData.h"
-#include "vtkIdList.h"
-#include "vtkPointData.h"
-
-#include <map>
 
 using namespace multi_dimensional_subdivision_tools;
 using surfacetools::MakeInput;

@@ -6,12 +6,6 @@
 #include "MultiDimensionalSubdivisionTools.h"
 #include "SurfaceTools.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkFloatArray.h"
-
-#include <random>
-
 using namespace surfacetools;
 using multi_dimensional_subdivision_tools::CompareValues;
 using multi_dimensional_subdivision_tools::Messages;

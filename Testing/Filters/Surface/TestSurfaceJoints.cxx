@@ -7,12 +7,6 @@
 
 #include "vtkMultiDimensionalSubdivision.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdList.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <limits>
-
 using namespace surfacetools;
 
 namespace

@@ -8,16 +8,8 @@
 #include "PlaceTools.h"
 #include "SurfacePlaceTools.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellLocator.h"
-#include "vtkIdList.h"
 #include "vtkSubdivisionLimitProbe.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <random>
 
 using namespace surfacetools;
 

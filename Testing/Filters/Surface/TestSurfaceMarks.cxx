@@ -5,8 +5,6 @@
  */
 #include "SurfaceTools.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 

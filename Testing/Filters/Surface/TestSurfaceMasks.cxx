@@ -7,8 +7,6 @@
 
 #include "Core/Surfaces/Scheme/SurfaceTags.h"
 
-#include <algorithm>
-
 using namespace surfacetools;
 
 namespace

@@ -6,11 +6,7 @@
  */
 #include "SurfacePlaceTools.h"
 
-#include "vtkIdList.h"
 #include "vtkMultiDimensionalSubdivision.h"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace surfacetools;
 

@@ -7,11 +7,7 @@
 #include "MultiDimensionalSubdivisionTools.h"
 #include "SurfacePlaceTools.h"
 
-#include "vtkIdList.h"
 #include "vtkMultiDimensionalSubdivision.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <algorithm>
 
 using namespace surfacetools;
 

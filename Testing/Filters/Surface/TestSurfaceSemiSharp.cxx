@@ -5,10 +5,6 @@
  */
 #include "SurfaceTools.h"
 
-#include "vtkDoubleArray.h"
-
-#include <limits>
-
 using namespace surfacetools;
 
 namespace

@@ -2,8 +2,6 @@
 // sqrt(3): masks by their algebra, limits. TestSurfaceReplacedEdges.cxx has what 4-8 has, too.
 #include "SurfaceTools.h"
 
-#include "vtkFloatArray.h"
-
 namespace
 {
 

@@ -5,10 +5,6 @@
  */
 #include "SurfaceTools.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-
 using namespace surfacetools;
 
 namespace

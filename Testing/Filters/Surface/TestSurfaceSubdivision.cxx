@@ -5,11 +5,6 @@
 
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
-#include "vtkDoubleArray.h"
-#include "vtkUnsignedCharArray.h"
-
-#include <random>
-
 namespace
 {
 

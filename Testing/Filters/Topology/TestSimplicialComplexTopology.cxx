@@ -5,8 +5,6 @@
  */
 #include "SimplicialComplexTopologyTools.h"
 
-#include <limits>
-
 using namespace simplicial_complex_topology_tools;
 
 // ------------------------------------------------------------------------------------------------

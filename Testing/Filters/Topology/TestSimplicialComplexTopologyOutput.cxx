@@ -7,12 +7,6 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-
-#include <limits>
-#include <map>
-#include <set>
 #include <sstream>
 
 using namespace simplicial_complex_topology_tools;

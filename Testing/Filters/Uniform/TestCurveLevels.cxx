@@ -3,8 +3,6 @@
 // filter makes that keeps operators.
 #include "OperatorCacheTools.h"
 
-#include "vtkSMPTools.h"
-
 using namespace operator_cache_tools;
 
 namespace

@@ -7,7 +7,6 @@
 #include "LimitProbeTools.h"
 #include "PlaceTools.h"
 
-#include "vtkPolyData.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace multi_dimensional_subdivision_tools;

@@ -8,13 +8,6 @@
 #include "PlaceTools.h"
 #include "PointTools.h"
 
-#include "vtkPolyData.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 using namespace multi_dimensional_subdivision_tools;
 using namespace place_tools;
 using namespace point_tools;

@@ -5,7 +5,6 @@
  */
 #include "LimitProbeTools.h"
 
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
 
 using namespace limit_probe_tools;

@@ -7,9 +7,6 @@
 #include "PartitionTools.h"
 
 #include "vtkImageData.h"
-#include "vtkMultiBlockDataSet.h"
-
-#include <map>
 
 using namespace operator_cache_tools;
 

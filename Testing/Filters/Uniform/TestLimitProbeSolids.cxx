@@ -8,9 +8,6 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include <algorithm>
-#include <random>
-
 using namespace limit_probe_tools;
 
 namespace

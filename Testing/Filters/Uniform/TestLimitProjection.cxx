@@ -6,11 +6,6 @@
 #include "OperatorCacheTools.h"
 
 #include "vtkMath.h"
-#include "vtkSMPTools.h"
-
-#include <array>
-#include <cmath>
-#include <map>
 
 using namespace operator_cache_tools;
 

@@ -9,9 +9,6 @@
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
-#include <limits>
-#include <map>
-
 using namespace operator_cache_tools;
 
 namespace

@@ -9,18 +9,13 @@
 #include "PlaceTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
-#include "vtkPolyData.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSMPTools.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <limits>
-#include <set>
 
 using namespace modified_boundary_tools;
 

@@ -17,8 +17,6 @@
 #include "vtkUnsignedShortArray.h"
 #include "vtkVariantArray.h"
 
-#include <set>
-
 using namespace multi_dimensional_subdivision_tools;
 
 namespace

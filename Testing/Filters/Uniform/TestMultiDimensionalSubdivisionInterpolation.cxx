@@ -6,11 +6,7 @@
 #include "FileTools.h"
 #include "OperatorCacheTools.h"
 
-#include "vtkSMPTools.h"
 #include "vtkSubdivisionModelSource.h"
-
-#include <cmath>
-#include <limits>
 
 using namespace operator_cache_tools;
 

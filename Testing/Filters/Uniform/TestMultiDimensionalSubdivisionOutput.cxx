@@ -7,10 +7,6 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include <limits>
-#include <map>
-#include <set>
-
 using namespace multi_dimensional_subdivision_tools;
 
 namespace

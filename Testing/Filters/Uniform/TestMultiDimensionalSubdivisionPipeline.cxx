@@ -8,11 +8,6 @@
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkLoopSubdivisionFilter.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
-#include "vtkSMPTools.h"
-
-#include <map>
 
 using namespace multi_dimensional_subdivision_tools;
 

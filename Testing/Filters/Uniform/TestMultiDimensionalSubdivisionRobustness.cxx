@@ -6,11 +6,6 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkPolyData.h"
-
-#include <algorithm>
-#include <limits>
-#include <set>
 
 using namespace multi_dimensional_subdivision_tools;
 

@@ -5,8 +5,6 @@
  */
 #include "OperatorCacheTools.h"
 
-#include "vtkMultiBlockDataSet.h"
-
 using namespace operator_cache_tools;
 
 // ---------------------------------------------------------------- composite input

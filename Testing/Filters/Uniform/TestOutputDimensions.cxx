@@ -6,10 +6,6 @@
 #include "MultiDimensionalSubdivisionTools.h"
 
 #include "vtkExtractDimensions.h"
-#include "vtkMultiBlockDataSet.h"
-#include "vtkPolyData.h"
-
-#include <map>
 
 using namespace multi_dimensional_subdivision_tools;
 

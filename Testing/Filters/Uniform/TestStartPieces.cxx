@@ -11,8 +11,6 @@
 
 #include "vtkSubdivisionModelSource.h"
 
-#include <array>
-
 using namespace limit_probe_tools;
 
 namespace

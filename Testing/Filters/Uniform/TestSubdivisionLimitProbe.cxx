@@ -6,7 +6,6 @@
  */
 #include "LimitProbeTools.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkStaticPointLocator.h"
 #include "vtkSubdivisionModelSource.h"
 

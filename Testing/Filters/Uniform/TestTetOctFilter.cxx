@@ -6,8 +6,6 @@
  */
 #include "TetOctFilterTools.h"
 
-#include "vtkSMPTools.h"
-
 using namespace tet_oct_filter_tools;
 
 namespace

@@ -7,10 +7,7 @@
 #include "MaterialTools.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkSimplicialComplexTopology.h"
-
-#include <cmath>
 
 using namespace material_tools;
 

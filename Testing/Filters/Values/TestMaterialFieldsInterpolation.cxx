@@ -6,12 +6,7 @@
 #include "FileTools.h"
 #include "MaterialTools.h"
 
-#include "vtkMultiBlockDataSet.h"
 #include "vtkSurfaceSubdivision.h"
-
-#include <cmath>
-#include <map>
-#include <set>
 
 using namespace material_tools;
 

@@ -7,10 +7,6 @@
 
 #include "vtkSubdivisionOperator.h"
 
-#include <cmath>
-#include <map>
-#include <utility>
-
 using namespace material_tools;
 
 namespace

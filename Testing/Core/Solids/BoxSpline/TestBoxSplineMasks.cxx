@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 5: the masks of the scheme of Chang and Qin, as its tables have them.
+#include "Precompiled.h"
+
 #include "Core/Solids/BoxSpline/BoxSplineSplit.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
 
 using namespace subdivision;
 

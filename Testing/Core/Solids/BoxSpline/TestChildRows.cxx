@@ -5,8 +5,6 @@
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Solids/Scheme/ChildRows.h"
 
-#include <gtest/gtest.h>
-
 #include <mutex>
 
 using namespace tetoct_tools;

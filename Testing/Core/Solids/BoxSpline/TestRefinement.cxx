@@ -5,8 +5,6 @@
 #include "CoreReference.h"
 #include "CoreZoo.h"
 
-#include <gtest/gtest.h>
-
 using namespace coretest;
 
 namespace

@@ -4,17 +4,10 @@
  * The sign of the volumes of the children of tetrahedra, and of their children, beside the
  * orientation of each of them.
  */
+#include "Precompiled.h"
+
 #include "Core/Solids/BoxSpline/SignOfChildren.h"
 #include "Core/Solids/Location/TetFrame.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <numeric>
-#include <random>
-#include <vector>
 
 using namespace subdivision;
 

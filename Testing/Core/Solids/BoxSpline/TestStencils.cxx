@@ -5,12 +5,7 @@
 #include "CoreReference.h"
 #include "TetOctTools.h"
 
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
 #include <cstring>
-#include <limits>
 
 using namespace tetoct_tools;
 

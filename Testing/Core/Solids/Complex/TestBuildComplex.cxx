@@ -5,13 +5,6 @@
 
 #include "Core/Solids/Complex/Links.h"
 
-#include "vtkSMPTools.h"
-
-#include <gtest/gtest.h>
-
-#include <map>
-#include <random>
-
 using namespace coretest;
 
 namespace

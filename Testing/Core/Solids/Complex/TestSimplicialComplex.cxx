@@ -4,10 +4,6 @@
 #include "Core/Solids/Complex/Simplices.h"
 #include "CoreZoo.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
 using namespace coretest;
 
 namespace

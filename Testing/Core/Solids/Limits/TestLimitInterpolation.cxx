@@ -6,8 +6,6 @@
 
 #include "Core/Operators/Interpolation.h"
 
-#include <gtest/gtest.h>
-
 using namespace tetoct_tools;
 
 namespace

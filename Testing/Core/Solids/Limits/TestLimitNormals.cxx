@@ -5,11 +5,6 @@
 
 #include "Core/Solids/Limits/LimitNormals.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <utility>
-
 using namespace coretest;
 using namespace point_tools;
 

@@ -6,10 +6,6 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Solids/TetOct/TetOctComplex.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-
 using namespace coretest;
 
 namespace

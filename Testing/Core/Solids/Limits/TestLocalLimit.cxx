@@ -7,11 +7,6 @@
 #include "Core/Solids/Limits/Restriction.h"
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
-#include <map>
 #include <stdexcept>
 
 using namespace tetoct_tools;

@@ -5,13 +5,6 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/RedGreen/RedGreen.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <map>
-#include <random>
-#include <set>
-
 using namespace coretest;
 
 namespace

@@ -9,12 +9,6 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PatchTree.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <set>
-#include <string>
-
 using namespace coretest;
 
 namespace

@@ -7,12 +7,6 @@
 
 #include "Core/Solids/Limits/PlaceLimits.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
 #include <type_traits>
 
 using namespace tetoct_tools;

@@ -11,9 +11,6 @@
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "SurfacePlaceTools.h"
 
-#include <algorithm>
-#include <numeric>
-
 using namespace surfacetools;
 
 namespace

@@ -7,14 +7,6 @@
 
 #include "Core/Solids/Limits/LimitStencils.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
-#include <vector>
-
 using namespace coretest;
 
 namespace

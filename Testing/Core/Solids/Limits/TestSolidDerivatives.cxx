@@ -7,12 +7,6 @@
 #include "Core/Solids/Limits/PlaceLimits.h"
 #include "Core/Solids/Limits/TetOctLattice.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-
 using namespace tetoct_tools;
 
 namespace

@@ -9,13 +9,6 @@
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/SolidPlaces.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <random>
-
 using namespace tetoct_tools;
 
 namespace

@@ -4,8 +4,6 @@
 #include "LimitTools.h"
 #include "TetOctTools.h"
 
-#include <gtest/gtest.h>
-
 using namespace tetoct_tools;
 
 namespace

@@ -1,17 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which tetrahedra hold points, against a look at every tetrahedron.
+#include "Precompiled.h"
+
 #include "Core/Solids/Location/SimplexTree.h"
 
 #include "Core/Solids/Location/TetFrame.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <string>
-#include <vector>
 
 namespace
 {

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The search tree against a look at every simplex.
+#include "Precompiled.h"
+
 #include "Core/Solids/Location/SimplexTree.h"
 
 #include "Core/Solids/Location/TetFrame.h"
-
-#include <gtest/gtest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <vector>
 
 namespace
 {

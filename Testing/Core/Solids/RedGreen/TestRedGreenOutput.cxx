@@ -8,15 +8,7 @@
 
 #include "Core/Solids/RedGreen/RedGreenOutput.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <ostream>
-#include <set>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 using namespace redgreen_reference;
 

@@ -6,13 +6,7 @@
  */
 #include "RedGreenFew.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <ostream>
-#include <tuple>
-#include <vector>
 
 using namespace redgreen_reference;
 

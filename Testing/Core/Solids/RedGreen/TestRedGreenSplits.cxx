@@ -7,8 +7,6 @@
 
 #include "Core/Solids/RedGreen/RedGreen.h"
 
-#include <gtest/gtest.h>
-
 using namespace redgreen_reference;
 
 namespace

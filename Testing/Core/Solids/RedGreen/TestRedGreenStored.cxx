@@ -8,10 +8,6 @@
 
 #include "Core/Memory/Loops.h"
 
-#include <gtest/gtest.h>
-
-#include <numeric>
-
 using namespace redgreen_reference;
 
 namespace

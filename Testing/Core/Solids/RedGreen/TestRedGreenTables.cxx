@@ -4,14 +4,10 @@
  * Mathematics 13: which patterns close to which, and what the parts of each are. And the small
  * types that red-green refinement is made of.
  */
+#include "Precompiled.h"
+
 #include "Core/Solids/RedGreen/RedGreenCells.h"
 #include "Core/Solids/RedGreen/RedGreenTables.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <vector>
 
 using namespace subdivision;
 using namespace subdivision::redgreen;

@@ -8,11 +8,6 @@
 
 #include "Core/Solids/Scheme/Stencils.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <vector>
-
 using namespace coretest;
 
 namespace

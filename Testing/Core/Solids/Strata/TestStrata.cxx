@@ -3,11 +3,6 @@
 #include "Core/Solids/Strata/StrataBuilder.h"
 #include "CoreZoo.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <random>
-
 using namespace coretest;
 
 namespace

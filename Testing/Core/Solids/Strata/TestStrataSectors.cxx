@@ -4,10 +4,6 @@
 
 #include "Core/Rules/Pi.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
-
 using namespace coretest;
 
 namespace

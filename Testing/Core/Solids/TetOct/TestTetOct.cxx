@@ -3,8 +3,6 @@
 // are.
 #include "TetOctTools.h"
 
-#include <gtest/gtest.h>
-
 using namespace tetoct_tools;
 
 namespace
@@ -432,7 +430,8 @@ TEST(TetOctCore, ValuesThatOverflowInASumStayFinite)
 {
   const Mesh mesh = MakeLattice("Lattice", 2, 1., 3).Control;
   std::vector<double> huge(mesh.Points.size(), 1.7e308);
-  for (double value : SubdividePoints<OfTetOct>(mesh, huge, 3, 2).back())
+  const auto levels = SubdividePoints<OfTetOct>(mesh, huge, 3, 2);
+  for (double value : levels.back())
   {
     ASSERT_NEAR(value / 1.7e308, 1., 1e-12);
   }

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 10: the weights of rows with d = 3, number by number, worked out by hand from the
 // table of weighted centroids; and the weights that this scheme shares with the box spline.
+#include "Precompiled.h"
+
 #include "Core/Operators/RingMasks.h"
 #include "Core/Solids/TetOct/TetOctMasks.h"
 #include "Core/Solids/TetOct/TetOctSplit.h"
-
-#include <gtest/gtest.h>
-
-#include <utility>
-#include <vector>
 
 using namespace subdivision;
 

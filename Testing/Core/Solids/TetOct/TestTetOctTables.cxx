@@ -4,16 +4,12 @@
  * Mathematics 10: the local numbers of an octahedron, and the parts of both shapes, number by
  * number and by their volumes.
  */
+#include "Precompiled.h"
+
 #include "Core/Solids/TetOct/TetOctTables.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <iterator>
-#include <set>
 #include <type_traits>
-#include <vector>
 
 using namespace subdivision;
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The masks of the modified Butterfly scheme: what they do to waves around a vertex. The operator
 // itself is tested in Python (test_butterfly.py), the filter in TestSurfaceSubdivision.cxx.
+#include "Precompiled.h"
+
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <vector>
 
 namespace
 {

@@ -5,9 +5,6 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
 
-#include <algorithm>
-#include <tuple>
-
 using namespace surfacetools;
 
 namespace

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mathematics 12: the weights of the limits of 4-8, against a step written down from its rules.
+#include "Precompiled.h"
+
 #include "Core/Surfaces/FourEight/FourEightMasks.h"
 
 #include "Core/Rules/Pi.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <random>
-#include <vector>
 
 using namespace subdivision;
 

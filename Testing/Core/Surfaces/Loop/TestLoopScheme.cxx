@@ -5,10 +5,6 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Surfaces/Loop/LoopScheme.h"
 
-#include <algorithm>
-#include <numeric>
-#include <tuple>
-
 using namespace surfacetools;
 
 namespace

@@ -8,9 +8,6 @@
 #include "Core/Surfaces/Places/SurfacePlaces.h"
 #include "SurfaceTools.h"
 
-#include <algorithm>
-#include <set>
-
 using namespace surfacetools;
 
 namespace

@@ -4,8 +4,6 @@
 
 #include "Core/Surfaces/Scheme/SharpRows.h"
 
-#include <numeric>
-
 using namespace surfacetools;
 
 namespace

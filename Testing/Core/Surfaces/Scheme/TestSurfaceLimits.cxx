@@ -7,10 +7,6 @@
 #include "Core/Surfaces/CatmullClark/CatmullClarkScheme.h"
 #include "Core/Surfaces/Loop/LoopScheme.h"
 
-#include <algorithm>
-#include <memory>
-#include <numeric>
-
 using namespace surfacetools;
 
 namespace

@@ -3,8 +3,6 @@
 // the mesh is that of the uniform scheme; split anywhere, it is the smallest closed part of that.
 #include "AdaptiveSurfaceTools.h"
 
-#include <set>
-
 using namespace surfacetools;
 
 namespace
