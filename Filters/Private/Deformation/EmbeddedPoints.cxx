@@ -138,17 +138,28 @@ void FindTets(vtkDataArray* points, double tolerance, const RestMesh& rest, Corn
   rows.Corners = rest.GetTetCorners();
   rows.Simplices = Buffer<int>(size);
   rows.Weights = Buffer<double>(tets.GetNumberOfSimplices() > 0 ? 3 * size : 0);
-  ForEach(size,
-    [&](vtkIdType i)
+  const Buffer<vtkIdType> order =
+    tets.SortPoints(size, [points](vtkIdType i, double x[3]) { points->GetTuple(i, x); });
+  constexpr int most = SimplexTree::MostAtOnce;
+  ForEach((size + most - 1) / most,
+    [&](vtkIdType group)
     {
-      double x[3];
-      PlaceInSimplex place;
-      points->GetTuple(i, x);
-      tets.FindHolding(x, { Tolerance, tolerance }, place);
-      rows.Simplices[i] = static_cast<int>(place.Simplex);
-      if (place.Simplex >= 0)
+      double x[most][3];
+      PlaceInSimplex places[most];
+      const vtkIdType* numbers = order.data() + group * most;
+      const int count = static_cast<int>(std::min<vtkIdType>(most, size - group * most));
+      for (int i = 0; i < count; ++i)
       {
-        std::copy_n(place.Weights + 1, 3, rows.Weights.data() + 3 * i);
+        points->GetTuple(numbers[i], x[i]);
+      }
+      tets.FindHolding(x, count, { Tolerance, tolerance }, places);
+      for (int i = 0; i < count; ++i)
+      {
+        rows.Simplices[numbers[i]] = static_cast<int>(places[i].Simplex);
+        if (places[i].Simplex >= 0)
+        {
+          std::copy_n(places[i].Weights + 1, 3, rows.Weights.data() + 3 * numbers[i]);
+        }
       }
     });
 }

@@ -4,7 +4,9 @@
 #include "Core/Solids/Location/CurveOrder.h"
 #include "Core/Solids/Location/TetFrame.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace subdivision
@@ -393,37 +395,65 @@ void SimplexTree::Visit(std::size_t level, vtkIdType node, Nearest& nearest) con
   }
 }
 
-bool SimplexTree::FindHolding(
-  const double x[3], const HoldTolerances& tolerances, PlaceInSimplex& place) const
+Buffer<vtkIdType> SimplexTree::SortPoints(
+  vtkIdType size, const std::function<void(vtkIdType i, double x[3])>& getPoint) const
 {
-  place = PlaceInSimplex();
-  bool isTight = false;
-  const auto look = [&](vtkIdType tet)
+  return SortAlongCurve(size, this->Levels.empty() ? Box() : this->Levels.back()[0], getPoint);
+}
+
+void SimplexTree::FindHolding(const double (*points)[3], int size, const HoldTolerances& tolerances,
+  PlaceInSimplex* places) const
+{
+  Box around; // of the points that some tetrahedron may hold
+  for (int i = 0; i < size; ++i)
   {
-    const bool isFirst = place.Simplex < 0 || tet < place.Simplex;
+    places[i] = PlaceInSimplex();
+    if (!this->Levels.empty() && this->Levels.back()[0].Holds(points[i]))
+    {
+      around.Add(points[i]);
+    }
+  }
+  const std::size_t most = size > 1 ? 4 * static_cast<std::size_t>(size) + 64 : SIZE_MAX;
+  std::vector<vtkIdType> tets;
+  this->ForEachWhere([&](const Box& box) { return tets.size() <= most && box.Meets(around); },
+    [&](vtkIdType tet) { tets.push_back(tet); });
+  if (tets.size() > most) // the points are not near each other
+  {
+    this->FindHolding(points, size / 2, tolerances, places);
+    this->FindHolding(points + size / 2, size - size / 2, tolerances, places + size / 2);
+    return;
+  }
+  bool isTight[MostAtOnce] = {};
+  for (vtkIdType tet : tets)
+  {
     const double* corners[4];
     this->GetPoints(tet, corners);
-    if ((isTight && !isFirst) || !Widen(this->GetBox(tet)).Holds(x))
+    const Box box = Widen(this->GetBox(tet));
+    if (!box.Meets(around))
     {
-      return;
+      continue;
     }
     const TetFrame frame(corners);
-    const std::array<double, 4> weights = frame.GetWeights(x);
-    const double least = *std::min_element(weights.begin(), weights.end());
-    if (!(least >= -tolerances.Loose) || frame.IsFlat())
+    const int lookedAt = frame.IsFlat() ? 0 : size;
+    for (int i = 0; i < lookedAt; ++i)
     {
-      return;
+      const bool isFirst = places[i].Simplex < 0 || tet < places[i].Simplex;
+      if ((isTight[i] && !isFirst) || !box.Holds(points[i]))
+      {
+        continue;
+      }
+      const std::array<double, 4> weights = frame.GetWeights(points[i]);
+      const double least = *std::min_element(weights.begin(), weights.end());
+      const bool isBetter = !isTight[i] && least >= -tolerances.Tight;
+      if (least >= -tolerances.Loose &&
+        (isBetter || (isFirst && (!isTight[i] || least >= -tolerances.Tight))))
+      {
+        isTight[i] = isTight[i] || isBetter;
+        places[i].Simplex = tet;
+        std::copy(weights.begin(), weights.end(), places[i].Weights);
+      }
     }
-    const bool isBetter = !isTight && least >= -tolerances.Tight;
-    if (isBetter || (isFirst && (!isTight || least >= -tolerances.Tight)))
-    {
-      isTight = isTight || isBetter;
-      place.Simplex = tet;
-      std::copy(weights.begin(), weights.end(), place.Weights);
-    }
-  };
-  this->ForEachWhere([x](const Box& box) { return box.Holds(x); }, look);
-  return place.Simplex >= 0;
+  }
 }
 
 bool SimplexTree::FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const

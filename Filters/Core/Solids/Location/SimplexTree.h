@@ -13,6 +13,7 @@
 #include "Core/Memory/Buffer.h"
 #include "Core/Solids/Location/Box.h"
 
+#include <functional>
 #include <vector>
 
 namespace subdivision
@@ -45,9 +46,15 @@ public:
   vtkIdType GetNumberOfSimplices() const { return this->Order.size(); }
   const int* GetCorners(vtkIdType simplex) const { return this->Ids + simplex * this->Corners; }
 
-  /// The first of the tetrahedra that hold a point, and the place in it. False: there is none.
-  bool FindHolding(
-    const double x[3], const HoldTolerances& tolerances, PlaceInSimplex& place) const;
+  /// For each of points that are near each other: the first of the tetrahedra that hold it, and the
+  /// place in it. A tetrahedron is looked at once for all of them.
+  static constexpr int MostAtOnce = 32;
+  void FindHolding(const double (*points)[3], int size, const HoldTolerances& tolerances,
+    PlaceInSimplex* places) const;
+  /// Points in these are near each other: the numbers of [0, size) along a curve through the box of
+  /// all simplices.
+  Buffer<vtkIdType> SortPoints(
+    vtkIdType size, const std::function<void(vtkIdType i, double x[3])>& getPoint) const;
   /// The first of the nearest simplices, the nearest place in it and the squared distance.
   bool FindNearest(const double x[3], PlaceInSimplex& place, double& distance2) const;
   /// Calls visit(simplex) for all simplices in boxes for which meets(box) holds, and for others
