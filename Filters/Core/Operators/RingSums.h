@@ -172,6 +172,40 @@ void ForGroups(vtkIdType components, const Act& act)
   }
 }
 
+/// Sums the first rows, as long as they are of edges without rings or of vertices on curves.
+/// Returns how many these are; in meshes of lines nearly all.
+template <int N, bool OfEdges, typename Id, typename In, typename Out>
+vtkIdType SumAlongCurves(
+  const RingRows<Id>& rows, const MaskTable<Mask>& masks, const In* in, Out* out, vtkIdType stride)
+{
+  constexpr int size = OfEdges ? 0 : 2;
+  Mask scratch;
+  const Mask mask = masks.Get(Rule::Curve, size, scratch);
+  const Id* offsets = rows.Offsets;
+  const Stratum* strata = rows.Strata;
+  const vtkIdType count = rows.Count;
+  Out* result = out + rows.FirstRow * stride;
+  Sums<Width<N>> sum;
+  vtkIdType i = 0;
+  for (; i < count && offsets[i + 1] - offsets[i] == size &&
+    (OfEdges || strata[i].GetRule() == Rule::Curve);
+    ++i)
+  {
+    const Id* ring = rows.Members + offsets[i];
+    const OwnValues<OfEdges, In> own(rows, i, in, stride);
+    ForGroups<N>(stride,
+      [&](int first)
+      {
+        own.Get(first, mask.Own, sum);
+        AddSection<size>(mask.Ring, ring, in + first, stride, sum);
+        StoreSums(sum, result + first,
+          [&](int c) { return own.SumRow(MakeParted(mask, size), ring, in, first + c, stride); });
+      });
+    result += stride;
+  }
+  return i;
+}
+
 /// Rows of vertices or edges whose rings have one section each.
 template <int N, bool OfEdges, typename Id, typename In, typename Out>
 void SumRings(
@@ -181,7 +215,7 @@ void SumRings(
   const vtkIdType stride = N == 0 ? components : N;
   Sums<width> sum;
   Sums<width> section;
-  for (vtkIdType i = 0; i < rows.Count; ++i)
+  for (vtkIdType i = SumAlongCurves<N, OfEdges>(rows, masks, in, out, stride); i < rows.Count; ++i)
   {
     const Id* ring = rows.Members + rows.Offsets[i];
     const Id* last = rows.Members + rows.Offsets[i + 1];
