@@ -292,10 +292,11 @@ RefinementCriteria::RefinementCriteria(
   {
     this->Range.Start(options.Range, cells, isSmooth(options.Range));
   }
-  if (options.ByGeometricError)
+  if (options.ReadsShape())
   {
-    this->AllowedDistance = options.GeometricTolerance *
-      (options.RelativeTolerance ? this->Coordinates.GetRange(options.FindLargest) : 1.);
+    const double size = this->Coordinates.GetRange(options.FindLargest);
+    this->AllowedDistance = options.GeometricTolerance * (options.RelativeTolerance ? size : 1.);
+    this->Rounding = 1e-14 * size;
   }
 }
 

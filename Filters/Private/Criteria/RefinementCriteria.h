@@ -217,6 +217,7 @@ private:
   ContinuedArray Range;
   double AllowedJump = 0.;
   double AllowedDistance = 0.;
+  double Rounding = 0.; ///< distances up to it make no angle: edges of no length would have one
 };
 
 // ------------------------------------------------------------------------------------------------
@@ -277,7 +278,7 @@ double RefinementCriteria::GetGeometricError(double distance, double length) con
   }
   const double most = BetweenPlaces * distance;
   double error = this->Options.ByGeometricError ? this->Allow(most, this->AllowedDistance) : 0.;
-  if (this->Options.ByCurvature)
+  if (this->Options.ByCurvature && distance > this->Rounding)
   {
     // An arc of angle t over a chord of length c rises to c tan(t / 4) / 2.
     const double angle = 4. * vtkMath::DegreesFromRadians(std::atan2(2. * most, length));

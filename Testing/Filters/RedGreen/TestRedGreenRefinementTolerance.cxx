@@ -4,6 +4,7 @@
  * vtkRedGreenRefinement: errors against the limit, measured with a mesh three levels finer, are
  * below the tolerance that was asked for.
  */
+#include "FileTools.h"
 #include "PointTools.h"
 #include "RedGreenRefinementTools.h"
 
@@ -262,6 +263,37 @@ TEST(RedGreenTolerance, CurvatureIsMetWhateverTheSize)
     EXPECT_GT(MeasureLargestTurn(output), 0.2 * angle);
     EXPECT_EQ(GetCells(output), GetCells(refineTo(large, angle)));
   }
+}
+
+// Flat cells have edges whose ends are one place: what rounding makes of their limits is no arc.
+TEST(RedGreenTolerance, EdgesOfNoLengthHaveNoAngle)
+{
+  const std::string file = file_tools::GetSharedFile("nat_ogs_sphere_zero_volume.vtu");
+  const std::string why = file_tools::WhyNotRead(file);
+  if (!why.empty())
+  {
+    GTEST_SKIP() << why;
+  }
+  const Grid input = file_tools::ReadGrid(file);
+  const Grid other = DeepCopy(input);
+  for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    const Point p = GetPoint(input, i);
+    other->GetPoints()->SetPoint(i, 1.1 * p[0], 1.1 * p[1], 1.1 * p[2]); // rounded otherwise
+  }
+  auto refine = [](vtkUnstructuredGrid* grid)
+  {
+    return Refine(grid,
+      [](Filter* filter)
+      {
+        filter->RefineByCurvatureOn();
+        filter->SetMaximumAngle(15.);
+        filter->SetMaximumLevel(1);
+      });
+  };
+  const Grid output = refine(input);
+  EXPECT_GT(output->GetNumberOfPoints(), input->GetNumberOfPoints() + 1000);
+  EXPECT_EQ(output->GetNumberOfPoints(), refine(other)->GetNumberOfPoints());
 }
 
 TEST(RedGreenTolerance, CurvatureOfCurvesIsMetAndStraightOnesStay)
