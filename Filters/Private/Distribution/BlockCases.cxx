@@ -120,7 +120,7 @@ public:
   }
 
   std::map<std::string, Difference> OfArrays;
-  std::set<int> Blocks; ///< with other values: twice the number, and 1 for those of floating point
+  std::set<int> Blocks; ///< with other values: twice the number, and 1 for floating point values
   vtkIdType NumberOfPoints = 0;
 
   /// "150 in the array "T" (blocks 1 and 2)"; empty where there are none.
@@ -268,7 +268,7 @@ std::vector<std::uint64_t> HashValues(const MeshPart& part)
 }
 
 /// Adds the cells of a dimension that have points which exist: as keys two numbers for the points,
-/// and what is told of each is its block and a number for the values at its points.
+/// and the message about each is its block and a number for the values at its points.
 void AddCells(const MeshPart& part, int dimension, SharedKeys& cells, std::vector<vtkIdType>& told)
 {
   const std::vector<std::uint64_t> values = HashValues(part);

@@ -44,8 +44,8 @@ bool IsAccepted(vtkDataObject* data, bool isOfSurfaces)
     (!isOfSurfaces && vtkUnstructuredGrid::SafeDownCast(data));
 }
 
-/// Gives active attributes that blocks share to those arrays that have them in this block. Global
-/// ids are those that the filter chose.
+/// Gives active attributes that blocks share to the arrays that have them in this block. The filter
+/// chose the global ids.
 void RestoreAttributes(
   const std::vector<JoinedArray>& arrays, vtkDataSetAttributes* own, vtkDataSetAttributes* data)
 {
@@ -72,8 +72,8 @@ void RestoreAttributes(
 }
 
 /// Takes away arrays that other blocks have and this one does not, and gives the others the names
-/// and looks that they have in this one, whose data are `own`. `hasGhosts`: ghost types are those
-/// of MarkGhosts, whoever had some.
+/// and looks that they have in this one, whose data are `own`. `hasGhosts`: ghost types come from
+/// MarkGhosts, whoever had some.
 void RestoreArrays(const std::vector<JoinedArray>& arrays, int block, bool hasGhosts,
   vtkDataSetAttributes* own, vtkDataSetAttributes* data)
 {
@@ -116,7 +116,7 @@ void RestoreArrays(const std::vector<JoinedArray>& arrays, int block, bool hasGh
 }
 
 /// Original ids that this filter made count the points or cells of the joined mesh: makes them
-/// those of the block, whose `places` in the joined mesh are given.
+/// count the points or cells of the block, whose `places` in the joined mesh are given.
 void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
   const std::vector<vtkIdType>& places, vtkDataSetAttributes* data)
 {
@@ -143,7 +143,8 @@ void CountInBlock(const char* name, const std::vector<JoinedArray>& arrays,
   }
 }
 
-/// Some cells and those around them: `layers` times all that share a point with them. Ascending.
+/// Some cells and the cells around them: `layers` times all that share a point with them.
+/// Ascending.
 std::vector<vtkIdType> AddLayersOf(
   vtkPointSet* whole, const std::vector<vtkIdType>& cells, int layers)
 {
@@ -192,7 +193,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeGhostTypes(vtkIdType size, unsigned ch
 }
 
 /// Marks the cells of an output that are not its own, and the points that only these have. `cells`
-/// are those of the output, `own` some of them.
+/// are the cells of the output, `own` some of them.
 void MarkGhosts(
   const std::vector<vtkIdType>& cells, const std::vector<vtkIdType>& own, vtkPointSet* output)
 {
@@ -224,7 +225,7 @@ void MarkGhosts(
   output->GetPointData()->AddArray(ofPoints);
 }
 
-/// Gives the points the type of those of a block: single precision or double.
+/// Gives the points the type that the points of a block have: single precision or double.
 void SetPrecision(int type, vtkPointSet* output)
 {
   vtkDataArray* have = output->GetPoints()->GetData();
@@ -245,7 +246,7 @@ void TakeAll(vtkPointSet* whole, vtkPointSet* output)
   output->GetFieldData()->Initialize();
 }
 
-/// Whether all cells are those of block 0.
+/// Whether all cells come from block 0.
 bool IsOneBlock(vtkPointSet* whole)
 {
   auto* blocks = vtkIntArray::SafeDownCast(whole->GetCellData()->GetArray(BlockName));
@@ -328,7 +329,7 @@ void TakeOutput(const JoinedMesh& joined, vtkPointSet* whole, const OutputOption
   std::pair<Numbers, Numbers> numbers;
   if (own)
   {
-    addFieldData(); // TakeMesh replaces green leaves by those of the block
+    addFieldData(); // TakeMesh replaces green leaves by the block's
     numbers = TakeMesh(whole, options, block, *own, output);
   }
   else

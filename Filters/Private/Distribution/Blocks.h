@@ -34,7 +34,7 @@ std::vector<Block> GetBlocks(
   vtkDataObject* input, bool isOfSurfaces, const std::function<void(const std::string&)>& warn);
 
 /// Replaces inputs by copies with further arrays: with `addIndex` the cell array
-/// BlockIndexName, and what `prepare` adds to the copy.
+/// BlockIndexName, and the arrays that `prepare` adds to the copy.
 void PrepareBlocks(std::vector<Block>& blocks, bool addIndex,
   const std::function<void(vtkPointSet*, vtkPointSet*)>& prepare);
 
@@ -58,12 +58,12 @@ struct OutputOptions
 };
 
 /// Writes the outputs of blocks: their cells and points of `whole`, with the arrays that the block
-/// had and those that the filter made, original ids that count the block's own points and cells,
-/// and its field data.
+/// had and the arrays that the filter made, original ids that count the block's own points and
+/// cells, and its field data.
 void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptions& options,
   std::vector<Block>& blocks);
 
-/// Shares field arrays; `withStamp`: also those of a stamp.
+/// Shares field arrays; `withStamp`: also the arrays of a stamp.
 void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to);
 
 /// Adds global ids to the points and cells of an output that is the whole: their indices.

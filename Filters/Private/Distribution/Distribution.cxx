@@ -63,7 +63,7 @@ public:
   {
   }
 
-  /// What the work in this turn of the partition has to know.
+  /// The data for the work in this turn of the partition.
   void BeginTurn() { this->Options.Others = this->Others.HasStarted() ? &this->Others : nullptr; }
 
   /// Finds out which points are one, brings the layers, and does the work. Returns whether all is
@@ -208,7 +208,7 @@ bool PartitionRun::WorkOnParts(const FilterWork& work)
   {
     whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
   }
-  // A filter that cannot number what it makes of a part says why.
+  // A filter that cannot number its output of a part says why.
   output.GlobalIds = this->Options.GenerateGlobalIds &&
     (!this->IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
   TakeOutputs(joined, whole, output, this->Blocks);

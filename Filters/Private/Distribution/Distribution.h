@@ -29,10 +29,10 @@ struct DistributionOptions
   bool JoinBlocks = true;
   /// The ranks that have partitions of the mesh; null: this process has all.
   vtkMultiProcessController* Controller = nullptr;
-  /// How many layers of cells around its own a rank needs so that its own results are those of the
-  /// whole mesh.
+  /// How many layers of cells around its own a rank needs so that its own results are the results
+  /// of the whole mesh.
   int Layers = 2;
-  /// What is kept for the next execution; null: nothing.
+  /// The parts that are kept for the next execution; null: none.
   KeptParts* Kept = nullptr;
   /// How many layers of fine cells of other ranks the output gets, marked as duplicates.
   int GhostLayers = 0;
@@ -49,9 +49,9 @@ struct DistributionOptions
   bool ReadsOwnBlocks = false;
   /// Set to whether blocks are several cases, some of whose points are at one place; may be null.
   bool* HasCases = nullptr;
-  /// Warnings of what was done to the input before.
+  /// Warnings of earlier changes of the input.
   std::vector<std::string> Warnings;
-  /// Adds to a copy of a block, which is its second argument, what the filter knows of the block.
+  /// Adds to a copy of a block, which is its second argument, the filter's knowledge of the block.
   std::function<void(vtkPointSet*, vtkPointSet*)> Prepare;
   /// Changes cells of a mesh, of one block or of several that are joined, before the work; empty:
   /// nothing.
@@ -69,7 +69,8 @@ void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector
  * If this is the only rank and the input is a single mesh, this is RunFilter. Else the blocks of
  * this rank (IdentifyPoints) and the cells around them that other ranks have (AddLayers) are joined
  * (Join), `work` is done on the result, and each block of the output takes the cells that came from
- * it. Duplicate (ghost) cells of the input are left out; the output has those of GhostLayers.
+ * it. Duplicate (ghost) cells of the input are left out; the output has the duplicate cells that
+ * GhostLayers asks for.
  *
  * Field arrays `SubdivisionBlockPoints` and `SubdivisionBlockCells` of the output say where its
  * points and cells are in the whole output (StampedParts.h); with them, a filter that gets all
@@ -87,8 +88,8 @@ int RunDistributed(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* ou
 int RunOnBlocks(vtkAlgorithm* filter, vtkDataObject* input, vtkDataObject* output,
   const FilterTraits& traits, RunOptions& options, const FilterWork& work);
 
-/// RunDistributed for partitions whose blocks are given: those of this rank, of which tests and
-/// benchmarks have several.
+/// RunDistributed for partitions whose blocks are given: the partitions of this rank, of which
+/// tests and benchmarks have several.
 bool RunPartitions(std::vector<std::vector<Block>>& blocks, PartitionsOfRank& partitions,
   const DistributionOptions& distribution, const FilterTraits& traits, RunOptions& options,
   const FilterWork& work);

@@ -34,7 +34,7 @@ bool IsSame(vtkAbstractArray* array, vtkAbstractArray* joined, const JoinedArray
 }
 
 /// Arrays without a name or with a wrong size are left out, and the ghost types of points, which
-/// are those of another partition.
+/// another partition set.
 bool IsCarried(vtkAbstractArray* array, vtkIdType size, int association)
 {
   return array->GetName() && HasValues(array, size) &&
@@ -42,7 +42,7 @@ bool IsCarried(vtkAbstractArray* array, vtkIdType size, int association)
       std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName());
 }
 
-/// Whether all values of `array` are those that the joined array has so far.
+/// Whether the joined array so far has all values of `array`.
 bool Fits(vtkAbstractArray* array, const std::vector<vtkIdType>& places,
   const std::vector<char>& has, vtkAbstractArray* joined)
 {
@@ -141,7 +141,7 @@ void AddActiveAttributes(vtkDataSetAttributes* from, vtkDataSetAttributes* joine
   }
 }
 
-/// Takes values from neighbours once: points of cells that have no value from those that have one.
+/// Takes values from neighbours once: points of cells that have no value from points that have one.
 void ExtendOnce(const CellReader& cells, vtkDataArray* array, std::vector<char>& has)
 {
   const int components = array->GetNumberOfComponents();
@@ -220,7 +220,7 @@ std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Pl
 {
   std::vector<JoinedArray> entries;
   std::vector<vtkSmartPointer<vtkAbstractArray>> arrays;
-  std::vector<std::vector<char>> has; // which values are there: those of the first part stay
+  std::vector<std::vector<char>> has; // which values are there: the first part stays
   for (size_t p = 0; p < parts.size(); ++p)
   {
     vtkDataSetAttributes* data = parts[p].Mesh->GetAttributes(association);

@@ -32,8 +32,8 @@ vtkAbstractArray* FindArray(
   vtkDataSetAttributes* data, vtkAbstractArray* joined, const JoinedArray& entry);
 
 /// Joins the arrays of points or cells: `association` is vtkDataObject::POINT or CELL, `places` are
-/// those of points or of cells. Values that no part has are 0 or empty. A part that keeps its own
-/// values has another array where those of the first are other ones; with `keepsOwnFloats` not of
+/// the places of points or of cells. Values that no part has are 0 or empty. A part that keeps its
+/// own values has another array where the first part has other values; with `keepsOwnFloats` not of
 /// floating point numbers (OwnValues.h).
 std::vector<JoinedArray> JoinArrays(const std::vector<MeshPart>& parts, const Places& places,
   int association, bool keepsOwnFloats, vtkDataSetAttributes* joined);

@@ -208,8 +208,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> Types;
 };
 
-/// Polyhedra as MakeReadable leaves them are of another type. Those of crease geometry, which takes
-/// no solids, become their points: VTK reads the points of VTK_POLYHEDRON in another way.
+/// Polyhedra as MakeReadable leaves them are of another type. Polyhedra of crease geometry, which
+/// takes no solids, become their points: VTK reads the points of VTK_POLYHEDRON in another way.
 int GetJoinedType(const CellReader& reader, vtkIdType cell, vtkIdType size)
 {
   const int type = reader.GetGridType(cell, size);

@@ -39,7 +39,7 @@ struct MeshPart
   int Case = 0;
   bool KeepsOwn = false;
   bool KeepsOwnFloats = false; ///< some of these are floating point numbers
-  /// If not empty: what tells points of the same id apart.
+  /// If not empty: numbers that tell points of the same id apart.
   std::vector<vtkIdType> Variants{};
 };
 

@@ -24,7 +24,7 @@ namespace subdivision
 namespace
 {
 
-/// Collects what has to be the same.
+/// Collects the numbers that have to be the same.
 class KeyMaker
 {
 public:
@@ -67,8 +67,8 @@ public:
       });
     this->Add(mesh->GetCellGhostArray());
   }
-  /// By what points and cells are known: ids or, if there are none, coordinates, and the stamp of
-  /// an earlier filter.
+  /// The names of points and cells: ids or, if there are none, coordinates, and the stamp of an
+  /// earlier filter.
   void AddIds(vtkPointSet* mesh)
   {
     vtkDataArray* ids = mesh->GetPointData()->GetGlobalIds();
@@ -94,8 +94,8 @@ bool HaveLeaves(const std::vector<MeshPart>& parts)
     [](const MeshPart& part) { return !GreenLeaves(part.Mesh).IsEmpty(); });
 }
 
-/// The same part without what the next execution brings: an own part without its mesh, one that
-/// came from others without values. What remains is the part that ShareArrays adds.
+/// The same part without the data that the next execution brings: an own part without its mesh, one
+/// that came from others without values. What remains is the part that ShareArrays adds.
 MeshPart DropValues(const MeshPart& part, bool hasCome)
 {
   MeshPart kept = part;
@@ -150,7 +150,7 @@ bool KeptPartition::Restore(
     key.AddKinds(part.Mesh->GetCellData());
   }
   // Points of one id are one where they lie at one place: when they move, that is found out anew
-  // where it was not so, and else compared with what comes.
+  // where it was not so, and else compared with the new coordinates.
   const bool haveMoved = !exchange.Agree(this->CurrentPlaces == this->KnownPlaces);
   if (!exchange.Agree(this->Current == this->Known) || (haveMoved && this->HasSeveralPlaces))
   {

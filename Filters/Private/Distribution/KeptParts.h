@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file KeptParts.h
- * What a filter keeps of a mesh that several ranks have, so that new values on the same cells cost
- * one exchange of values.
+ * The knowledge of a mesh of several ranks that a filter keeps, so that new values on the same
+ * cells cost one exchange of values.
  */
 #ifndef SubdivisionObjects_KeptParts_h
 #define SubdivisionObjects_KeptParts_h
@@ -20,12 +20,13 @@ class KeptPartition
 {
 public:
   /// If cells, ids, and which arrays there are, are the same on all ranks as they were: gives the
-  /// parts what was found out of them (IdentifyPoints, TakeStampedNumbers), adds those that came
+  /// parts the numbers of before (IdentifyPoints, TakeStampedNumbers), adds the parts that came
   /// from others (AddLayers, ShareArrays), with their values of now, and returns true. `layers`:
   /// how many are wanted. `joinsCopies`: as in IdentifyPoints. All partitions call it.
   bool Restore(std::vector<MeshPart>& parts, int layers, bool joinsCopies, Exchange& exchange);
 
-  /// Keeps what was found out since Restore returned false. `haveSeveralPlaces`: of IdentifyPoints.
+  /// Keeps the knowledge gained since Restore returned false. `haveSeveralPlaces`: of
+  /// IdentifyPoints.
   void Keep(const std::vector<MeshPart>& parts, SentLayers sent, bool areStamped,
     bool haveSeveralPlaces, std::vector<std::string> warnings);
   void Forget();
@@ -37,9 +38,9 @@ public:
 private:
   using Key = std::vector<std::uint64_t>;
 
-  Key Current;       ///< what Restore found
+  Key Current;       ///< as Restore found it
   Key CurrentPlaces; ///< of points with global ids
-  Key Known;         ///< what was kept; empty: nothing
+  Key Known;         ///< as it was kept; empty: nothing
   Key KnownPlaces;
   std::vector<MeshPart> Parts; ///< without values
   SentLayers Sent;

@@ -30,7 +30,7 @@ struct Wish
   }
 };
 
-/// Which partition knows who has a point, and what this one knows.
+/// Which partition knows who has a point, and the knowledge of this one.
 class Directory
 {
 public:
@@ -46,7 +46,7 @@ public:
   }
   int Find(vtkIdType point) const { return static_cast<int>(point / this->Share); }
 
-  /// Adds the partition to those that have the points.
+  /// Adds the partition to the holders of the points.
   void Add(const std::vector<vtkIdType>& points, int partition)
   {
     for (const vtkIdType point : InTurn(points))
@@ -75,7 +75,7 @@ private:
   std::vector<Wish> Holders;
 };
 
-/// The own parts of a partition, and what it sent and got so far.
+/// The own parts of a partition, and the cells that it sent and got so far.
 struct Partition
 {
   std::vector<MeshPart>& Parts;
@@ -136,7 +136,7 @@ std::vector<vtkIdType> Partition::FindNewPoints()
   return fresh;
 }
 
-/// Which groups are wished: those with a wished point, or those all of whose points are.
+/// Which groups are wished: groups with a wished point, or groups all of whose points are wished.
 enum class Extent
 {
   Stars,
@@ -265,7 +265,7 @@ SentLayers AddLayers(std::vector<MeshPart>& parts, int layers, Exchange& exchang
       }
     }
     exchange.SendLists(wishes);
-    // From these to those who asked: the cells.
+    // From these to the partitions that asked: the cells.
     std::vector<Wish> all;
     for (const auto& [from, list] : wishes)
     {

@@ -19,7 +19,7 @@ namespace subdivision
 /// for each cell that was sent.
 using Copies = std::map<int, std::vector<std::vector<char>>>;
 
-/// What a partition sent and got, so that it can send new values of the same cells.
+/// The cells that a partition sent and got, so that it can send new values of them.
 struct SentLayers
 {
   struct Cells
@@ -35,8 +35,8 @@ struct SentLayers
 
 /**
  * Adds to the parts of a partition the cells of all others that share a point with one of its
- * cells, then those that share a point with these, and so on, `layers` times, with their points and
- * arrays. Of cells of any dimension, and through third partitions. Points and cells have ids
+ * cells, then the cells that share a point with these, and so on, `layers` times, with their points
+ * and arrays. Of cells of any dimension, and through third partitions. Points and cells have ids
  * (IdentifyPoints). All partitions call this together.
  *
  * A directory knows which partitions have cells at a point; it is spread over the partitions by the
@@ -47,7 +47,7 @@ struct SentLayers
  * points that count. Then one exchange more brings the simplices that lie inside the last layer:
  * without them lines and triangles that are faces of its solids would be numbered in another order.
  *
- * Returns what the partition sent and got.
+ * Returns the cells that the partition sent and got.
  */
 SentLayers AddLayers(std::vector<MeshPart>& parts, int layers, Exchange& exchange);
 

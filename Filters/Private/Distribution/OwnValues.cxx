@@ -26,7 +26,7 @@ struct Copy
   vtkIdType Place; ///< in the joined mesh
 };
 
-/// An array of the joined mesh, and those of the parts whose values it has; null: none.
+/// An array of the joined mesh, and the arrays of the parts whose values it has; null: none.
 struct Values
 {
   std::string Name;
@@ -97,7 +97,7 @@ std::vector<Copy> FindCopies(const std::vector<MeshPart>& parts, const JoinedMes
   return copies;
 }
 
-/// Tells of each cell whose values it reads: those of its block, or 0 where blocks agree.
+/// Tells of each cell whose values it reads: its block, or 0 where blocks agree.
 void AddOwnBlocks(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 {
   const auto blocks = MakeArray(VTK_INT, 1, joined.Mesh->GetNumberOfCells());

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OwnValues.h
- * Values that parts of a joined mesh have for the same point, each its own: what values that jump
- * (Private/Values/MaterialFields.h) need.
+ * Values that parts of a joined mesh have for the same point, each its own, as values that jump
+ * (Private/Values/MaterialFields.h) need them.
  */
 #ifndef SubdivisionObjects_OwnValues_h
 #define SubdivisionObjects_OwnValues_h
@@ -18,20 +18,20 @@ namespace subdivision
 enum class OwnValues
 {
   OfAll,
-  OfBlocks ///< those with MeshPart::KeepsOwnFloats; the cell array OwnBlockName tells of them
+  OfBlocks ///< parts with MeshPart::KeepsOwnFloats; the cell array OwnBlockName tells of them
 };
 
 /**
  * Gives the mesh a copy of each point for which a part has another value than the mesh, in an array
  * of floating point numbers. Copies follow after all points, the cells of that part have them, and
- * the point array MaterialPointIds says which point each is. PointIds and PointPlaces stay those of
+ * the point array MaterialPointIds says which point each is. PointIds and PointPlaces stay as in
  * the mesh without copies.
  */
 void KeepOwnValues(
   const std::vector<MeshPart>& parts, JoinedMesh& joined, OwnValues keeps = OwnValues::OfAll);
 
-/// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; the
-/// numbers are those that an earlier filter gave.
+/// Gives copies of points, of which MaterialPointIds tells, the numbers of these points; an earlier
+/// filter gave the numbers.
 void TakeCopiedPoints(std::vector<MeshPart>& parts);
 
 }

@@ -24,7 +24,7 @@ namespace subdivision
 namespace
 {
 
-/// What a rank has in DIY: the messages to and from its partitions, with their addresses.
+/// The state of a rank in DIY: the messages to and from its partitions, with their addresses.
 struct Envelope
 {
   int To;
@@ -38,8 +38,8 @@ struct Mailbox
   std::vector<Envelope> In;
 };
 
-// What a partition tells before an exchange of its work: one of these plus a multiple of Next;
-// below zero it has stopped.
+// The announcement of a partition before an exchange of its work: one of these plus a multiple of
+// Next; below zero it has stopped.
 constexpr vtkIdType Ends = 0;    ///< its work is done
 constexpr vtkIdType Answers = 1; ///< it has no mesh
 constexpr vtkIdType Sends = 2;   ///< plus Next if it has messages

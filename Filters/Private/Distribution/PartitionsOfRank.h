@@ -39,11 +39,11 @@ public:
   /// Calls work(0) to work(size - 1), and begin(i) before each turn of work(i).
   void Run(const std::function<void(int)>& work, const std::function<void(int)>& begin);
 
-  /// What partition i of this rank does; the others do the same.
+  /// The work of partition i of this rank; the others do the same.
   std::vector<vtkIdType> Gather(int i, vtkIdType value);
   void Deliver(int i, Exchange::Messages& messages);
 
-  /// What this rank sent to other partitions so far.
+  /// The bytes that this rank sent to other partitions so far.
   vtkIdType GetNumberOfMessages() const { return this->NumberOfMessages; }
   vtkIdType GetNumberOfBytes() const { return this->NumberOfBytes; }
 
@@ -99,8 +99,8 @@ private:
 };
 
 /**
- * The exchange of partition i of this rank while it works. Before each exchange all partitions tell
- * what they are about to do. So one that has stopped, and one that has no mesh, which answers until
+ * The exchange of partition i of this rank while it works. Before each exchange all partitions
+ * announce their next step. So one that has stopped, and one that has no mesh, which answers until
  * the others are done, are known to all.
  */
 class ExchangeOfWork : public OtherPartitions

@@ -19,7 +19,7 @@ namespace subdivision
 namespace
 {
 
-/// What the directory of ids is told of a point.
+/// The message about a point to the directory of ids.
 struct PlaceOfId
 {
   std::array<double, 3> At;
@@ -45,7 +45,7 @@ bool AreNear(const PlaceOfId& a, const PlaceOfId& b)
   return !areFar;
 }
 
-/// Sets the variants of points of one id: 0 for those at the place of the first. Returns one that
+/// Sets the variants of points of one id: 0 for points at the place of the first. Returns one that
 /// is not there, if there is one.
 const PointOfId* SetVariants(std::vector<PointOfId>& points)
 {

@@ -32,7 +32,7 @@ namespace
 using Parts = std::vector<MeshPart>;
 using Ids = std::vector<vtkIdType>;
 
-/// Marks the cells that are used, and the points: all but those that only duplicate cells use.
+/// Marks the cells that are used, and the points: all but points that only duplicate cells use.
 void MarkUsed(MeshPart& part)
 {
   const vtkIdType size = part.Mesh->GetNumberOfCells();
@@ -145,8 +145,8 @@ bool HaveDistinctCells(const Parts& parts, Exchange& exchange)
 // ------------------------------------------------------------------------------------------------
 // Points by coordinates
 
-/// What points have in common that are one point: coordinates or, with global ids, the variant of
-/// the id as the first of them.
+/// The key that points have in common if they are one point: coordinates or, with global ids, the
+/// variant of the id as the first of them.
 struct Site
 {
   std::array<double, 3> At;
@@ -194,8 +194,8 @@ struct PointOfPart
   }
 };
 
-/// The points of a partition sorted by place; those without a finite place, which nobody can share,
-/// come last and unsorted.
+/// The points of a partition sorted by place; points without a finite place, which nobody can
+/// share, come last and unsorted.
 std::vector<PointOfPart> SortPoints(const Parts& parts, bool byIds, size_t& finite)
 {
   std::vector<PointOfPart> points;
@@ -275,8 +275,8 @@ struct PlacesOfPartition
   size_t NumberOfFinite; ///< places with finite coordinates
 };
 
-/// What the directory says of a place: the first partition that has it (which gives the number),
-/// the place there, and whether points stay apart there.
+/// The answer of the directory about a place: the first partition that has it (which gives the
+/// number), the place there, and whether points stay apart there.
 struct Answer
 {
   vtkIdType Owner;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Ranks.h
- * What the ranks of a run tell each other besides the mesh: messages, sizes, and which arrays there
- * are.
+ * The messages of the ranks of a run to each other besides the mesh: texts, sizes, and which arrays
+ * there are.
  */
 #ifndef SubdivisionObjects_Ranks_h
 #define SubdivisionObjects_Ranks_h
@@ -14,7 +14,7 @@
 namespace subdivision
 {
 
-/// How the work of a rank ended. That of all ended as that of the rank whose end comes last here.
+/// How the work of a rank ended. All together ended like the rank whose end comes last here.
 enum class RunEnd
 {
   Done,
@@ -30,9 +30,9 @@ public:
   /// Takes the place of options.Warn and options.Fail, which get the messages later.
   explicit RankMessages(RunOptions& options);
 
-  /// Called by all ranks: gives the warnings of all and, if there are errors, that of the first
-  /// rank that has one. Other ranks that failed give no message. Returns whether one failed; if
-  /// there is no output although nobody failed or stopped, that is an error too.
+  /// Called by all ranks: gives the warnings of all and, if there are errors, the error of the
+  /// first rank that has one. Other ranks that failed give no message. Returns whether one failed;
+  /// if there is no output although nobody failed or stopped, that is an error too.
   bool Tell(Exchange& ranks, RunEnd end);
 
 private:

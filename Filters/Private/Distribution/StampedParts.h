@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file StampedParts.h
- * Lets a filter go on with what an earlier filter made of blocks and partitions (Stamp.h). Field
- * arrays of a block hold the numbers that its points and cells have in the whole output.
+ * Lets a filter go on with the output of an earlier filter for blocks and partitions (Stamp.h).
+ * Field arrays of a block hold the numbers that its points and cells have in the whole output.
  */
 #ifndef SubdivisionObjects_StampedParts_h
 #define SubdivisionObjects_StampedParts_h
@@ -31,9 +31,9 @@ bool TakeStampedNumbers(std::vector<MeshPart>& parts, Exchange& exchange);
 /// Whether a field array has ids of a stamp that all partitions around the block have to know.
 bool IsStampedList(vtkAbstractArray* array);
 
-/// Gives the joined mesh of a partition the stamp of its parts. `taken` is what TakeStampedNumbers
-/// returned; `isPartial`: whether there are other partitions. Returns false if there is a stamp
-/// that is lost.
+/// Gives the joined mesh of a partition the stamp of its parts. `taken` is the result of
+/// TakeStampedNumbers; `isPartial`: whether there are other partitions. Returns false if there is a
+/// stamp that is lost.
 bool RestoreStamp(
   const std::vector<MeshPart>& parts, bool taken, bool isPartial, JoinedMesh& joined);
 
@@ -43,7 +43,7 @@ bool RestoreStamp(
  */
 struct CellGroups
 {
-  std::vector<vtkIdType> Cells;       ///< those that are not left out, group by group
+  std::vector<vtkIdType> Cells;       ///< cells that are not left out, group by group
   std::vector<vtkIdType> Starts{ 0 }; ///< of groups in Cells, and its end
   std::vector<vtkIdType> Points;      ///< of the part: the corners of the groups
   std::vector<vtkIdType> PointStarts{ 0 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OtherPartitions.h
- * What a partition of a mesh sends to the others, and knows of them.
+ * The messages of a partition of a mesh to the others, and its knowledge of them.
  */
 #ifndef SubdivisionObjects_OtherPartitions_h
 #define SubdivisionObjects_OtherPartitions_h
@@ -61,7 +61,7 @@ public:
   /// Replaces values by the values of one partition.
   template <typename T>
   void TakeFrom(int one, std::vector<T>& values);
-  /// Replaces values by those of all partitions, in their order.
+  /// Replaces values by the values of all partitions, in their order.
   template <typename T>
   void ShareWithAll(std::vector<T>& values);
 

@@ -11,7 +11,7 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// Which partition keeps a thing: those that have a mesh share things by the first ids of keys.
+/// Which partition keeps a thing: partitions with a mesh share things by the first ids of keys.
 class KeyRanges
 {
 public:

@@ -17,8 +17,8 @@ namespace subdivision
 {
 
 /// Things by which partitions know each other's points, edges and cells: a key of `Width` ids each,
-/// none of them negative. Equal keys are one thing, and the lexicographic order of keys is that of
-/// the whole mesh.
+/// none of them negative. Equal keys are one thing, and the lexicographic order of keys is the
+/// order of the whole mesh.
 struct SharedKeys
 {
   int Width = 1;
@@ -32,14 +32,14 @@ struct SharedKeys
 };
 
 /**
- * Whoever keeps a thing learns which partitions have it and what they tell of it, and may answer
- * each of them. All partitions make one, and call TakeAnswers, together: an exchange each. 8 bytes
- * are sent for each id of a key and each number that is told or answered.
+ * Whoever keeps a thing learns which partitions have it and the numbers that they tell of it, and
+ * may answer each of them. All partitions make one, and call TakeAnswers, together: an exchange
+ * each. 8 bytes are sent for each id of a key and each number that is told or answered.
  */
 class SharedDirectory
 {
 public:
-  /// What a partition says of a thing.
+  /// The message of a partition about a thing.
   struct Entry
   {
     const vtkIdType* Key;
@@ -69,7 +69,7 @@ public:
       first = last;
     }
   }
-  /// What the keepers answered, for each thing of this partition; -1 where nobody did.
+  /// The answers of the keepers, for each thing of this partition; -1 where nobody answered.
   std::vector<vtkIdType> TakeAnswers();
 
 private:
@@ -80,7 +80,7 @@ private:
   int Answers;
   std::size_t Size;   ///< how many things this partition has
   ListsOfIds Places;  ///< of the things that each keeper has, in the order of messages
-  ListsOfIds Arrived; ///< what partitions told
+  ListsOfIds Arrived; ///< the messages of partitions
   ListsOfIds Replies;
   std::vector<Entry> Entries;
 };

@@ -72,8 +72,8 @@ vtkIdType WriteIds(const IdSegments& list, const std::vector<SharedNumbers>& thi
   return total;
 }
 
-/// Answers with the numbers of ids before each thing that some partition is sure of, and adds those
-/// that it gets.
+/// Answers with the numbers of ids before each thing that some partition is sure of, and adds the
+/// numbers that it gets.
 void AnswerNumbers(SharedDirectory& directory, bool haveSizes, Ids& before)
 {
   directory.ForThings(
@@ -277,7 +277,7 @@ SharedKeys MakeCentreKeys(vtkIdType points, const SimplexView& simplices, const 
       {
         seen[centre] = 1;
         centres.Own[centre] = pieces.Own[s];
-        // Those that one cell brought are consecutive.
+        // The things that one cell brought are consecutive.
         vtkIdType* key = centres.Keys.data() + 2 * centre;
         key[0] = pieces.Keys[2 * s];
         key[1] = centre > 0 && seen[centre - 1] && key[-2] == key[0] ? key[-1] + 1 : 0;

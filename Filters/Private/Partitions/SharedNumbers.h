@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SharedNumbers.h
- * Numbers what several partitions of a mesh have in the order in which the whole mesh has it.
+ * Numbers the points, edges and cells of several partitions of a mesh in the order of the whole
+ * mesh.
  */
 #ifndef SubdivisionObjects_SharedNumbers_h
 #define SubdivisionObjects_SharedNumbers_h
@@ -33,8 +34,8 @@ struct SharedNumbers
 };
 
 /**
- * Numbers the things of all partitions, which call this together. The directory sorts what they
- * send and answers: two exchanges, 8 (Width + Kinds) bytes there and 8 Kinds bytes back for
+ * Numbers the things of all partitions, which call this together. The directory sorts their
+ * messages and answers: two exchanges, 8 (Width + Kinds) bytes there and 8 Kinds bytes back for
  * each thing.
  */
 SharedNumbers NumberTogether(const SharedKeys& things, OtherPartitions& others);
@@ -50,13 +51,13 @@ struct WholeIds
   std::vector<vtkIdType> Ids;
   vtkIdType Total = 0;
 
-  /// Numbers things, of one kind, after all that are there. `places` in Ids; empty: those at the
-  /// end.
+  /// Numbers things, of one kind, after all that are there. `places` in Ids; empty: the places at
+  /// the end.
   void Add(
     const SharedKeys& things, OtherPartitions& others, const std::vector<vtkIdType>& places = {});
 };
 
-/// What points and cells of an output are in the whole output.
+/// The numbers of points and cells of an output in the whole output.
 struct WholeNumbers
 {
   WholeIds Points;
@@ -76,8 +77,8 @@ vtkIdType FindWholeIds(
 /// The place of each cell of an input in the order of the whole mesh. Poly data have their cells
 /// kind by kind. All partitions call it.
 std::vector<vtkIdType> PlaceCells(vtkPointSet* input, OtherPartitions& others);
-/// Adds keys to things that are pieces of cells, those of a cell one after the other: the place of
-/// their cell, and which of its pieces they are; and whether the cell is own.
+/// Adds keys to things that are pieces of cells, the pieces of a cell one after the other: the
+/// place of their cell, and which of its pieces they are; and whether the cell is own.
 SharedKeys MakeKeysOfPieces(const std::vector<vtkIdType>& cells,
   const std::vector<vtkIdType>& places, OtherPartitions& others);
 /// The same for the simplices of cells.

@@ -54,7 +54,7 @@ SharedValues::SharedValues(const Ids& owners, Exchange& exchange)
       this->Out[owner].push_back(owners[2 * i + 1]);
     }
   }
-  exchange.SendLists(this->Out); // what this one wants becomes what others want
+  exchange.SendLists(this->Out); // its wishes become the wishes of others
 }
 
 }
