@@ -28,7 +28,7 @@
 namespace
 {
 
-/// Adds an array of flags; those that are missing are 0.
+/// Adds an array of flags; missing flags are 0.
 void AddFlags(const std::vector<unsigned char>& flags, vtkIdType size, vtkDataSetAttributes* data)
 {
   vtkNew<vtkUnsignedCharArray> array;

@@ -11,10 +11,10 @@
  *
  * @par Marked points
  * An array, a selection and a function mark points. MarkCorners, MarkCreases and MarkSurfaces say
- * what these make singular: the points themselves, edges between two of them, and faces all of
- * whose points are marked. Edges and faces belong to the input's cells; cuts through cells that are
- * split first do not count (of cells that are cut along their nodes, QuadraticCells, all edges of
- * the pieces do).
+ * which simplices become singular by them: the points themselves, edges between two of them, and
+ * faces all of whose points are marked. Edges and faces belong to the input's cells; cuts through
+ * cells that are split first do not count (of cells that are cut along their nodes, QuadraticCells,
+ * all edges of the pieces do).
  *
  * @par Arrays read, by SetInputArrayToProcess
  * Besides the arrays of vtkSubdivisionAlgorithm (0 to 4):

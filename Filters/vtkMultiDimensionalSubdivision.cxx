@@ -86,7 +86,8 @@ int vtkMultiDimensionalSubdivision::RequestData(
   }
   const bool addsBounds = this->AddsBounds();
   options.KeepsCopies = addsBounds;
-  // A level reads points of cells around each cell only, linear rules those of the cell itself.
+  // A level reads points of cells around each cell only, linear rules only points of the cell
+  // itself.
   const bool readsLimit = options.ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays || addsBounds;
   const bool isLocal = this->VolumeScheme == LINEAR || (this->NumberOfLevels <= 1 && !readsLimit);

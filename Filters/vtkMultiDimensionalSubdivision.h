@@ -66,9 +66,9 @@
  * split in its place, but changes no rule unless it is singular. OutputDimensions leaves cells out.
  *
  * @par Filters in a row
- * Three filters of one level give what one filter of three levels gives, bit for bit, in every
- * array, on several ranks too. Only the last of them may have ProjectToLimit on, or leave out
- * cells by OutputDimensions.
+ * Three filters of one level give the output of one filter of three levels, bit for bit, in every
+ * array, on several ranks too. Only the last of them may have ProjectToLimit on, or leave out cells
+ * by OutputDimensions.
  *
  * @par Complexity
  * Time and memory are linear in the size of the output; links are examined on the input only. With
@@ -130,8 +130,8 @@ public:
    * Options on rules and limits mean nothing then; of GenerateClassification,
    * GenerateLimitNormals and GenerateTangents a warning says so. Quads and polygons of three points
    * are read, larger polygons, prisms of more than three sides and polyhedra are errors. The output
-   * has no stamp: filters in a row refine what they read. Off by default; without LINEAR it is
-   * ignored with a warning.
+   * has no stamp: filters in a row refine the mesh that they read. Off by default; without LINEAR
+   * it is ignored with a warning.
    */
   vtkSetMacro(KeepCellTypes, bool);
   vtkGetMacro(KeepCellTypes, bool);
@@ -167,8 +167,8 @@ public:
    * Which cells the output has, a sum of VERTICES (1), LINES (2), TRIANGLES (4) and TETRAHEDRA (8):
    * from NO_DIMENSION (0) to ALL_DIMENSIONS (15, the default). All cells have their effect on the
    * rules; cells of other dimensions, and the points that only they use, are left out at the end.
-   * TETRAHEDRA alone is what volume rendering needs. Ids of GenerateGlobalIds are those of the
-   * output with all dimensions. A filter cannot go on with a part of the cells: if this is not
+   * Volume rendering needs TETRAHEDRA alone. Ids of GenerateGlobalIds are the same as in the output
+   * with all dimensions. A filter cannot go on with a part of the cells: if this is not
    * ALL_DIMENSIONS, the next filter reads the output like any other mesh.
    */
   vtkSetClampMacro(OutputDimensions, int, NO_DIMENSION, ALL_DIMENSIONS);
@@ -215,7 +215,7 @@ public:
    * way; so there are none in lines and triangles inside of solids that go along these and are not
    * singular. There the arrays have the slope over a part of 2^-52 of the cell. By TET_OCT, and by
    * BOX_SPLINE very near to such faces, the limit is taken as linear over a part of this size, so
-   * that 2^-k of a cell from what is not regular the error is 2^(k - 50) more.
+   * that 2^-k of a cell from an irregular vertex or edge the error is 2^(k - 50) more.
    *
    * AT an extraordinary vertex of a surface the limit has no derivatives by these parameters
    * either. There the arrays have the slope over a part of 2^-52 of the cell. Its length means

@@ -95,12 +95,11 @@ public:
   };
   ///@{
   /**
-   * Where points are, and what values they have: LINEAR (0, the default): new ones in the middle of
-   * their edge, the others stay: the shape does not change. LIMIT (1): all of them on the limit of
-   * smooth subdivision, with all options of vtkSubdivisionAlgorithm, exact to rounding: where
-   * levels 0 to infinity of vtkMultiDimensionalSubdivision end, with InterpolatePoints and
-   * InterpolateArrays at the points and values of the input. The green cells of an earlier filter
-   * stay what they are then.
+   * The place of points, and their values: LINEAR (0, the default): new ones in the middle of their
+   * edge, the others stay: the shape does not change. LIMIT (1): all of them on the limit of smooth
+   * subdivision, with all options of vtkSubdivisionAlgorithm, exact to rounding: where levels 0 to
+   * infinity of vtkMultiDimensionalSubdivision end, with InterpolatePoints and InterpolateArrays at
+   * the points and values of the input. The green cells of an earlier filter stay as they are then.
    */
   vtkSetClampMacro(Placement, int, LINEAR, LIMIT);
   vtkGetMacro(Placement, int);

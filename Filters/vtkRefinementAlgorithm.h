@@ -21,7 +21,7 @@
  *  - 5, point array for RefineByAttributeError. Unset: the active scalars, else the first floating
  *    point array.
  *  - 6, cell or point array for RefineByArrayRange. Unset: the active scalars of the points, else
- *    those of the cells.
+ *    of the cells.
  *  - 7, integer cell array for RefineByWantedLevel. Unset: `WantedLevel` if there.
  *
  * @par Errors
@@ -230,8 +230,8 @@ public:
 
   ///@{
   /**
-   * How many levels an input cell may be refined, 0 to 60. Default 3. What a level is the filter
-   * says.
+   * How many levels an input cell may be refined, 0 to 60. Default 3. The filter says how a level
+   * splits a cell.
    */
   vtkSetClampMacro(MaximumLevel, int, 0, 60);
   vtkGetMacro(MaximumLevel, int);
@@ -248,7 +248,7 @@ protected:
   void Prepare(vtkPointSet* block, vtkPointSet* copy) override;
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
 
-  /// Does what RequestData has in common in these filters: reads the criteria into `criteria`, then
+  /// The common part of RequestData in these filters: reads the criteria into `criteria`, then
   /// calls `refine`; all else as Run of the superclass.
   int RunRounds(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, subdivision::RefinementOptions& criteria,

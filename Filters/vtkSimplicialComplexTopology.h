@@ -12,8 +12,8 @@
  * Y.-S. Chang and H. Qin, "A Framework for Multi-dimensional Adaptive Subdivision Objects",
  * sections 2 and 3. The complex C is made of the cells and all their faces. A cell is maximal if it
  * is a face of no other; C_k is made of the maximal k-simplices and their faces. Links inside each
- * C_k tell the interior, the boundary and what is no manifold; the rules follow from this, from
- * what is singular and from the options. vtkMultiDimensionalSubdivision runs the same code: with
+ * C_k tell the interior, the boundary and non-manifold places; the rules follow from this, from
+ * singular simplices and from the options. vtkMultiDimensionalSubdivision runs the same code: with
  * the same options it takes these rules on its first level. If that filter made the mesh, rules and
  * singular simplices belong to its next level.
  *
@@ -44,7 +44,7 @@
  *    tetrahedra); 3: boundaries of one C_k touch. The first that holds.
  *  - `Singular` (vtkUnsignedCharArray): 1 if the simplex itself was flagged, or follows from
  *    EmbeddedCells, PreserveInterfaces or DetectFeatures. The faces of a singular simplex are not
- *    singular for that; their RuleDimension tells what they do.
+ *    singular for that; their RuleDimension tells their rule.
  *  - `Valence` (vtkIntArray): the number of vertices in the link. Vertices: neighbours; edges: the
  *    size of the ring, that is the number of triangles at it. Triangles: number of tetrahedra.
  *  - `RuleDimension` (vtkSignedCharArray): 0 stays, 1 curve, 2 surface, 3 solid, 4 blended;
@@ -101,9 +101,9 @@ public:
   /**
    * Whether only special simplices are output: that are non-manifold, on a boundary or singular,
    * and vertices and edges whose rule for another reason differs from the rule of the manifold that
-   * they are inside of (the edges of a singular triangle, the end of a crease). What is left out
-   * lies inside one C_k and follows the rule of dimension k, isolated vertices included. Off by
-   * default.
+   * they are inside of (the edges of a singular triangle, the end of a crease). A simplex that is
+   * left out lies inside one C_k and follows the rule of dimension k, isolated vertices included.
+   * Off by default.
    */
   vtkSetMacro(SpecialOnly, bool);
   vtkGetMacro(SpecialOnly, bool);

@@ -136,9 +136,10 @@ public:
    * Whether to output the cell array `vtkOriginalCellIds` and the point array `vtkOriginalPointIds`
    * (vtkIdTypeArray, one component): the cell or point of this filter's input that each came from,
    * -1 for new points. On the output of another filter of this kind they are carried on, and where
-   * this is off those of any input: whatever wrote them, new points have -1. With the first of them
-   * go the global ids of cells, if there are any, for instance numbers of elements: by their own
-   * name, as an array that is not marked as global ids, because cells share them. Off by default.
+   * this is off the ids of any input, whatever wrote them: new points have -1. With the first of
+   * them go the global ids of cells, if there are any, for instance numbers of elements: by their
+   * own name, as an array that is not marked as global ids, because cells share them. Off by
+   * default.
    */
   vtkSetMacro(GenerateOriginalIds, bool);
   vtkGetMacro(GenerateOriginalIds, bool);
@@ -180,8 +181,8 @@ public:
   /**
    * The same for the values of floating point arrays at points: arrays of AddInterpolatedArray, or
    * all if there are none. Between the points values may exceed the range of the input's; a warning
-   * says by how much. Values that are not finite are missing: they, and those whose limits they
-   * take part in, stay what they are, and all others are solved for without them. With
+   * says by how much. Values that are not finite are missing: they, and values whose limits they
+   * take part in, stay as they are, and all others are solved for without them. With
    * InterfaceValues DISCONTINUOUS errors are parts of the range of each material. Off by default.
    */
   vtkSetMacro(InterpolateArrays, bool);
@@ -290,10 +291,10 @@ public:
   };
   ///@{
   /**
-   * What vertex, line and triangle cells are that are faces of other cells: FOLLOW (0, the default;
-   * only carried along), SINGULAR_INSIDE (1; cells inside a solid, surface or curve are singular,
-   * for example fractures and wells in rock; cells on a boundary or a non-manifold joint follow) or
-   * SINGULAR (2; all of them).
+   * The role of vertex, line and triangle cells that are faces of other cells: FOLLOW (0, the
+   * default; only carried along), SINGULAR_INSIDE (1; cells inside a solid, surface or curve are
+   * singular, for example fractures and wells in rock; cells on a boundary or a non-manifold joint
+   * follow) or SINGULAR (2; all of them).
    */
   vtkSetClampMacro(EmbeddedCells, int, FOLLOW, SINGULAR);
   vtkGetMacro(EmbeddedCells, int);
@@ -320,15 +321,15 @@ public:
   };
   ///@{
   /**
-   * What values at points do where materials meet: CONTINUOUS_VALUES (0, the default; one field
-   * over all materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed
-   * with its own values only). Then a point at which several materials meet has a copy for each of
-   * them, at the same place: copies follow after all other points, each cell names the copies of
-   * its material (cells that are faces of others: of a material that all of their points have), and
-   * the point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter with
-   * the same option, or whoever joins equal ids, gets the mesh without copies back. Values of
-   * blocks at points that they share are those of their cells. On several ranks MaterialPointIds
-   * has the ids of points in the whole output, and global ids belong to points, equal for copies.
+   * Values at points where materials meet: CONTINUOUS_VALUES (0, the default; one field over all
+   * materials) or DISCONTINUOUS_VALUES (1; each material has a field of its own, smoothed with its
+   * own values only). Then a point at which several materials meet has a copy for each of them, at
+   * the same place: copies follow after all other points, each cell names the copies of its
+   * material (cells that are faces of others: of a material that all of their points have), and the
+   * point array `MaterialPointIds` (vtkIdType) says which point each is. Another filter with the
+   * same option, or whoever joins equal ids, gets the mesh without copies back. Values of blocks at
+   * points that they share belong to the cells of each block. On several ranks MaterialPointIds has
+   * the ids of points in the whole output, and global ids belong to points, equal for copies.
    * Arrays of floating point numbers and AddFieldOfCells become fields; all others, and
    * coordinates, are equal for copies. Ignored with a warning without PreserveInterfaces, and in
    * filters that have no interfaces. Needs memory for each array as often as there are materials
@@ -384,9 +385,9 @@ public:
   };
   ///@{
   /**
-   * What vertices and edges do where objects of different dimension meet: blend (0, the default:
-   * rule G-2, the weights of solids with all neighbours), stay sharp (1: rule G-1), or follow the
-   * object of dimension 1, 2 or 3 (2 to 4) as if the others were not there.
+   * The rule of vertices and edges where objects of different dimension meet: blend (0, the
+   * default: rule G-2, the weights of solids with all neighbours), stay sharp (1: rule G-1), or
+   * follow the object of dimension 1, 2 or 3 (2 to 4) as if the others were not there.
    */
   vtkSetClampMacro(Type1Rule, int, TYPE1_BLEND, TYPE1_FOLLOW_DIMENSION3);
   vtkGetMacro(Type1Rule, int);
@@ -405,8 +406,8 @@ public:
   };
   ///@{
   /**
-   * What they do where more than two branches of one object meet: blend (0, the default), stay
-   * sharp (1), or follow a part (2): of the parts (array index 2) that go on through the joint with
+   * Their rule where more than two branches of one object meet: blend (0, the default), stay sharp
+   * (1), or follow a part (2): of the parts (array index 2) that go on through the joint with
    * exactly two branches the one with the smallest id does, and the others are ignored.
    */
   vtkSetClampMacro(Type2Rule, int, TYPE2_BLEND, TYPE2_FOLLOW_PART);
@@ -423,7 +424,7 @@ public:
   };
   ///@{
   /**
-   * What they do where boundaries of one object touch: blend (0, the default) or stay sharp (1).
+   * Their rule where boundaries of one object touch: blend (0, the default) or stay sharp (1).
    */
   vtkSetClampMacro(Type3Rule, int, TYPE3_BLEND, TYPE3_SHARP);
   vtkGetMacro(Type3Rule, int);
@@ -438,11 +439,11 @@ public:
   };
   ///@{
   /**
-   * What quadratic, cubic, Lagrange and Bezier cells become: CORNERS (0, the default; one linear
-   * cell at the corners of each; nodes that no cell uses any more become plain points, of which a
-   * warning tells) or PIECES (1; they are cut along their nodes, an element of order n with all
-   * nodes of its lattice into n, n x n or n x n x n linear cells; of Bezier cells along their
-   * control points).
+   * The linear cells in place of quadratic, cubic, Lagrange and Bezier cells: CORNERS (0, the
+   * default; one linear cell at the corners of each; nodes that no cell uses any more become plain
+   * points, of which a warning tells) or PIECES (1; they are cut along their nodes, an element of
+   * order n with all nodes of its lattice into n, n x n or n x n x n linear cells; of Bezier cells
+   * along their control points).
    */
   vtkSetClampMacro(QuadraticCells, int, CORNERS, PIECES);
   vtkGetMacro(QuadraticCells, int);
@@ -488,15 +489,14 @@ public:
   };
   ///@{
   /**
-   * What values MergePoints gives to points that become one: FIRST_VALUE (0, the default; those of
-   * the point with the smallest id, with a warning where they differ; texture coordinates that
-   * differ are left out), AVERAGE_VALUE (1; the mean of floating point numbers, with
-   * InterpolateIntegers of integers too) or KEEP_VALUES (2; all of them: coordinates are those of
-   * one point, and values jump). Values jump at seams as JoinSeams has them in
-   * vtkSurfaceSubdivision with a scheme that has these, in other filters, as with InterfaceValues,
-   * between parts of the mesh which are connected by points of equal values. With JoinSeams texture
-   * coordinates are kept in any case. Without MergePoints no effect; on several ranks KEEP_VALUES
-   * needs seams.
+   * The values that MergePoints gives to points that become one: FIRST_VALUE (0, the default; the
+   * values of the point with the smallest id, with a warning where they differ; texture coordinates
+   * that differ are left out), AVERAGE_VALUE (1; the mean of floating point numbers, with
+   * InterpolateIntegers of integers too) or KEEP_VALUES (2; all of them: coordinates come from one
+   * point, and values jump). Values jump at seams as JoinSeams has them in vtkSurfaceSubdivision
+   * with a scheme that has these, in other filters, as with InterfaceValues, between parts of the
+   * mesh which are connected by points of equal values. With JoinSeams texture coordinates are kept
+   * in any case. Without MergePoints no effect; on several ranks KEEP_VALUES needs seams.
    */
   vtkSetClampMacro(MergedValues, int, FIRST_VALUE, KEEP_VALUES);
   vtkGetMacro(MergedValues, int);
@@ -566,7 +566,7 @@ protected:
   /// Whether it keeps interfaces between materials, at which values may jump.
   virtual bool HasInterfaces() const { return false; }
   /// Whether it keeps values at points of equal coordinates (MergedValues) by seams, and whether
-  /// those of texture coordinates are seams in any case.
+  /// seams of texture coordinates are seams in any case.
   virtual bool HasSeams() const { return false; }
   virtual bool JoinsSeams() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
@@ -575,15 +575,16 @@ protected:
   bool HasOutput() const { return this->Factors == nullptr; }
   /// Whether several ranks have partitions of one mesh.
   bool SharesRanks() const;
-  /// Adds what a filter knows of a block of the input to `copy`, which is joined with other blocks.
+  /// Adds the knowledge of a filter about a block of the input to `copy`, which is joined with
+  /// other blocks.
   virtual void Prepare(vtkPointSet*, vtkPointSet*) {}
-  /// Called with the input of the pipeline and with what is read of it, before the work. Cells and
-  /// points have the same ids in both.
+  /// Called with the input of the pipeline and with the mesh that is read of it, before the work.
+  /// Cells and points have the same ids in both.
   virtual void Inspect(vtkDataObject*, vtkDataObject*) {}
   /// Called with the input of the pipeline before anything else, on all ranks together.
   virtual void PrepareRun(vtkDataObject*) {}
-  /// Called after Inspect with the same. Returns what is worked on: the readable meshes, or copies
-  /// with more arrays.
+  /// Called after Inspect with the same. Returns the input of the work: the readable meshes, or
+  /// copies with more arrays.
   virtual vtkSmartPointer<vtkDataObject> Mark(vtkDataObject*, vtkDataObject* readable);
   /// Called with the result of the work. Returns the output of the pipeline.
   virtual vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made);
@@ -618,9 +619,9 @@ protected:
   virtual bool ReadFeatureOptions(vtkPointSet* input, subdivision::RunOptions& options);
   /// The common part of RequestData in all filters: sets the shared options, and the functions of
   /// `options` for messages and progress; calls `run`, which returns whether it finished; empties
-  /// the output if it did not. `ghosts`: what duplicate cells mean for the result, empty where they
-  /// mean nothing, null where that depends on their layers (FilterTraits); `memory`: what there is
-  /// not enough memory for, and what helps.
+  /// the output if it did not. `ghosts`: the effect of duplicate cells on the result, empty where
+  /// they have none, null where that depends on their layers (FilterTraits); `memory`: the work for
+  /// which memory is short, and the cure.
   int Run(vtkInformationVector** inputVector, vtkInformationVector* outputVector,
     subdivision::RunOptions& options, const char* ghosts, const std::string& memory,
     const std::function<bool(vtkPointSet*, vtkPointSet*)>& run);

@@ -59,7 +59,7 @@ int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation
     }
     return 1;
   }
-  // Not required, so that RequestData can tell in one error what is missing.
+  // Not required, so that RequestData can tell all missing inputs in one error.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return this->Superclass::FillInputPortInformation(port, info);
 }
@@ -86,7 +86,7 @@ int vtkSubdivisionDeformation::RequestDataObject(
   return 1;
 }
 
-/// Offers the times of all three inputs. Without this VTK would offer those of the first only.
+/// Offers the times of all three inputs. Without this VTK would offer only the times of the first.
 int vtkSubdivisionDeformation::ExecuteInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

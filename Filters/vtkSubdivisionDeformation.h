@@ -16,14 +16,14 @@
  * nothing moves. Which cells there are, and which rules they follow, is decided at rest.
  *
  * @par Control meshes in a plane
- * A control mesh without solids, such as one in the plane of an image, holds the points that lie on
- * it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision. With
+ * A control mesh without solids, for instance in the plane of an image, holds the points that lie
+ * on it. With SurfaceScheme = LOOP it is subdivided as by vtkMultiDimensionalSubdivision. With
  * CATMULL_CLARK it is subdivided as by vtkSurfaceSubdivision with its scheme of this name and its
- * other defaults: polygons of any size become quads, creases and corners follow flags and
- * sharpness (arrays 0 and 4), PreserveInterfaces and DetectFeatures, and boundary points of one
- * polygon stay where they are. Each quad of the subdivided mesh holds points as two triangles, cut
- * where both lie inside it, and the deformation is linear on these: it is continuous, and exact at
- * all points of the subdivided mesh. Without levels, larger polygons are cut into triangles too.
+ * other defaults: polygons of any size become quads, creases and corners follow flags and sharpness
+ * (arrays 0 and 4), PreserveInterfaces and DetectFeatures, and boundary points of one polygon stay
+ * where they are. Each quad of the subdivided mesh holds points as two triangles, cut where both
+ * lie inside it, and the deformation is linear on these: it is continuous, and exact at all points
+ * of the subdivided mesh. Without levels, larger polygons are cut into triangles too.
  *
  * @par Inputs
  *  - port 0, the object: any vtkPointSet (the output has its type), vtkImageData or
@@ -54,20 +54,20 @@
  * outside, or on a surface, has the identity matrix or, if OUTSIDE_NEAREST binds it to a
  * tetrahedron, the matrix of the tetrahedron. All other arrays pass unchanged.
  *
- * @par What is kept
- * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
- * equal content; and for each input of the last update its rows of at most 4 entries, and composed
- * rows over the control points where these are fewer bytes to read. The filter recognises an input
- * by the content of its points (512 bits of checksum for each half megabyte). When only the
- * deformed mesh changes, the work is one product with each operator and one with the rows. Then
- * the points of an output of a megabyte or more take the memory of the output before, unless others
- * still have its points: they never change, and nothing of them is kept between runs.
+ * @par Kept between executions The operators of all levels, the subdivided mesh at rest and a
+ * search tree, for a rest mesh of equal content; and for each input of the last update its rows of
+ * at most 4 entries, and composed rows over the control points where these are fewer bytes to read.
+ * The filter recognises an input by the content of its points (512 bits of checksum for each half
+ * megabyte). When only the deformed mesh changes, the work is one product with each operator and
+ * one with the rows. Then the points of an output of a megabyte or more take the memory of the
+ * output before, unless others still have its points: they never change, and nothing of them is
+ * kept between runs.
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n
- * cells. Later ones: linear in what is kept. Memory: about 28 bytes for each point, 76 for one that
- * is bound to the nearest place, and for each tetrahedron of the subdivided mesh about 60 bytes, 85
- * if points were searched for the nearest place.
+ * cells. Later ones: linear in the size of these. Memory: about 28 bytes for each point, 76 for one
+ * that is bound to the nearest place, and for each tetrahedron of the subdivided mesh about 60
+ * bytes, 85 if points were searched for the nearest place.
  *
  * @par Threads and ghosts
  * Threaded by vtkSMPTools; the output is the same, bit for bit, for any number of threads. Ghost

@@ -34,8 +34,8 @@ vtkStandardNewMacro(vtkSubdivisionLabelSolid);
 namespace
 {
 
-/// The filter that makes the solid. Its warnings are not passed on: what they tell of is measured,
-/// and may be mended by the next round.
+/// The filter that makes the solid. Its warnings are not passed on: the faults are measured, and
+/// the next round may mend them.
 class InnerFilter
 {
 public:
@@ -79,7 +79,7 @@ private:
       // A round begins where the one before ended. The labels were read before the first.
       inner->Done =
         std::max(inner->Done, 1. - (1. - *static_cast<double*>(data) / 2.) / inner->Round);
-      // VTK takes back what stops a filter at its first report: it is told again at the next one.
+      // VTK takes back the abort of a filter at its first report: it is told again at the next one.
       if (inner->IsStopped || inner->Options.Progress(inner->Done))
       {
         inner->IsStopped = true;

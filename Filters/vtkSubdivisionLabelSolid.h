@@ -18,9 +18,9 @@
  * border of the image stay there. Then they are moved as little as possible so that labels have
  * their volumes, and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
  * PreserveInterfaces. The filter measures this solid, corrects the corners for the difference in
- * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of
- * those of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge or a
- * point alone become joints.
+ * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of the
+ * tetrahedra of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge
+ * or a point alone become joints.
  *
  * @par Accuracy
  * Volumes equal the input's voxels to 0.1 %, or 0.5 % where parts are about as thin as a control
@@ -46,11 +46,11 @@
  *
  * @par Output
  * A vtkUnstructuredGrid of VTK_TETRA cells, on the limit. Cell arrays: the labels (the active
- * scalars), with name and type of the input's; the other arrays of the voxels but ids, those of
- * floating point numbers averaged over the voxels of the block that have its label, of others the
- * tuple of the first of these; the columns of the table that have numbers, which replace arrays of
- * the voxels of the same name, with a warning. Field arrays: those of
- * the image, and all columns of the table, so also the names of materials.
+ * scalars), with name and type of the input's; the other arrays of the voxels but ids, floating
+ * point numbers averaged over the voxels of the block that have its label, of others the tuple of
+ * the first of these; the columns of the table that have numbers, which replace arrays of the
+ * voxels of the same name, with a warning. Field arrays: those of the image, and all columns of the
+ * table, so also the names of materials.
  *
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,

@@ -6,9 +6,9 @@
  * Finds for each point the place of the limit that is nearest to it, with all values there. The
  * limit is the object that vtkMultiDimensionalSubdivision makes of the input after infinitely many
  * levels: curves, surfaces, and solids. A point inside a solid is its own nearest place: the filter
- * finds from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK it is what
- * vtkSurfaceSubdivision makes of the polygons and lines: by CATMULL_CLARK quads and other polygons
- * then keep their own parameters.
+ * finds from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK the object is
+ * the limit of the polygons and lines by vtkSurfaceSubdivision: by CATMULL_CLARK quads and other
+ * polygons then keep their own parameters.
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -24,7 +24,7 @@
  * of the second, third and fourth point. They are -1 in cells that the scheme cuts: but for
  * CATMULL_CLARK all that are no vertices, lines, triangles or tetrahedra. The arrays of the points
  * at port 3 follow, with their ids; one whose name is taken gets OfPlace at the end of it. Field
- * arrays of both are there, those of the control mesh where names are equal.
+ * arrays of both are there, the control mesh's where names are equal.
  *
  * @par Method
  * For a point that lies in a solid a fine level on the limit tells where to begin. For all others
@@ -77,9 +77,9 @@ public:
   /**
    * Whose limit it is. The limit of vtkMultiDimensionalSubdivision, with curves, surfaces and
    * solids: BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids;
-   * boundaries and creases are the same) or LINEAR (2; the mesh itself). Or that of the polygons
-   * and lines by vtkSurfaceSubdivision, which measures angles of corners and joins seams: LOOP (3)
-   * or CATMULL_CLARK (4); a warning says that solids are left out.
+   * boundaries and creases are the same) or LINEAR (2; the mesh itself). Or the limit of the
+   * polygons and lines by vtkSurfaceSubdivision, which measures angles of corners and joins seams:
+   * LOOP (3) or CATMULL_CLARK (4); a warning says that solids are left out.
    */
   vtkSetClampMacro(Scheme, int, BOX_SPLINE, CATMULL_CLARK);
   vtkGetMacro(Scheme, int);

@@ -10,21 +10,21 @@
  * needs S itself.
  *
  * @par Rows
- * A row for each point of the output, a column for each point of the input: the entries of row i
- * are those from offsets[i] up to but without offsets[i + 1]; ids has their columns, weights their
- * values. This is the format CSR of scipy.sparse.csr_matrix. No column occurs twice in a row of S,
- * and columns are not sorted. The weights of a row sum to 1 but for rounding.
+ * A row for each point of the output, a column for each point of the input: row i has the entries
+ * from offsets[i] up to but without offsets[i + 1]; ids has their columns, weights their values.
+ * This is the format CSR of scipy.sparse.csr_matrix. No column occurs twice in a row of S, and
+ * columns are not sorted. The weights of a row sum to 1 but for rounding.
  *
  * @par Factors
  * The filter makes one level after the other, and sums the values of a ring before it weights them.
  * S has other products and other sums, so that S times points is the output but for rounding. The
- * factors of S have those of the filter. Multiply with factor 0, the result with factor 1, and so
- * on, and sum each row in double, in the order of its entries, starting with 0: the result is the
- * output, bit for bit, for arrays in double, where no input cell got a point at its centre.
- * scipy.sparse multiplies in this way. Factor 0 copies the points of the input and adds the
- * centres of split cells; each operator of the filter follows as one factor, or as two: the first
- * copies its values and adds sums of rings, the second weights them. Arrays in float are rounded
- * after each operator.
+ * factors of S have the products and sums of the filter. Multiply with factor 0, the result with
+ * factor 1, and so on, and sum each row in double, in the order of its entries, starting with 0:
+ * the result is the output, bit for bit, for arrays in double, where no input cell got a point at
+ * its centre. scipy.sparse multiplies in this way. Factor 0 copies the points of the input and adds
+ * the centres of split cells; each operator of the filter follows as one factor, or as two: the
+ * first copies its values and adds sums of rings, the second weights them. Arrays in float are
+ * rounded after each operator.
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSurfaceSubdivision

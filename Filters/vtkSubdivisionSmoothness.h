@@ -6,8 +6,8 @@
  * Examines one step of a scheme around each vertex, and around the vertices that steps make inside
  * each edge and face: the leading eigenvalues of the local matrix, whether the conditions for a
  * smooth limit hold, and whether the characteristic map is regular and injective. All this depends
- * on how cells hang together, and on the rules, not on the shape. What fails can be seen, selected
- * and refined. The filter subdivides nothing and moves no point.
+ * on how cells hang together, and on the rules, not on the shape. Vertices, edges and faces that
+ * fail can be seen, selected and refined. The filter subdivides nothing and moves no point.
  *
  * @par Theory
  * Let 1, l1, l2, ... be the moduli of the eigenvalues of the matrix that takes a vertex and its
@@ -35,9 +35,9 @@
  * With SampleMaps the characteristic map is looked at by all faces of two further levels between
  * the first ring of a regular mesh around one such vertex and the image of this ring by a step:
  * faces keep their orientation (regular), and the first ring goes around once (injective), or less
- * than once at a curve. Solids: by all tetrahedra of the next level between those that touch the
- * vertex and three times as far. Points between are not looked at. Nothing is sampled where a
- * condition fails, at joints, and at vertices with octahedra.
+ * than once at a curve. Solids: by all tetrahedra of the next level between the tetrahedra that
+ * touch the vertex and three times as far. Points between are not looked at. Nothing is sampled
+ * where a condition fails, at joints, and at vertices with octahedra.
  *
  * @par Inputs
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see

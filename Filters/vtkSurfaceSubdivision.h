@@ -82,8 +82,8 @@
  * @par Arrays read, by SetInputArrayToProcess
  * Besides flags and sharpness of lines (0 and 4, see vtkSubdivisionAlgorithm), and angles of
  * corners with one sector (10):
- *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones what
- *    makes them tangent plane continuous. Unset: none.
+ *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones the
+ *    value that makes them tangent plane continuous. Unset: none.
  *
  * @par Arrays written
  * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components),
@@ -91,11 +91,11 @@
  * which this filter recognises its own output.
  *
  * @par Filters in a row
- * Three filters of one level and the same options give what one filter of three levels gives, bit
- * for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity, the
- * last two with the flags of the first input. Angles and flatness of corners come from the first
- * input. After ProjectToLimit, or if cells were changed in between, the next filter takes the mesh
- * for a new one. Only the first filter knows global ids. On several ranks filters of LOOP,
+ * Three filters of one level and the same options give the output of one filter of three levels,
+ * bit for bit, for every scheme; Midedge, FourEight and SqrtThree continue with the right parity,
+ * the last two with the flags of the first input. Angles and flatness of corners come from the
+ * first input. After ProjectToLimit, or if cells were changed in between, the next filter takes the
+ * mesh for a new one. Only the first filter knows global ids. On several ranks filters of LOOP,
  * MODIFIED_BUTTERFLY, CATMULL_CLARK and LINEAR go on as long as the cells of each rank stay
  * together; else, and with the other schemes, the next one takes the mesh for a new one, and warns.
  * One filter with all levels has the same output on any number of ranks.
@@ -217,8 +217,8 @@ public:
    * extraordinary vertices, curves and creases; a sharpness above 52 counts as 52. So are
    * derivatives, relative to the derivatives of the part of the cell around the place that is
    * regular. At an extraordinary vertex itself they tend to 0 or to infinity: there the first ones
-   * are those of a part of 2^-26, turned into the tangent plane, with about the directions of the
-   * two edges. This plane and LimitNormals are exact, the lengths mean nothing. The second ones are
+   * belong to a part of 2^-26, turned into the tangent plane, with about the directions of the two
+   * edges. This plane and LimitNormals are exact, the lengths mean nothing. The second ones are
    * 0. A cell takes a few local steps if not all is regular around it, and a place 2^-k from an
    * extraordinary vertex k of them; memory per thread is quadratic in the number of points around a
    * cell. With JoinSeams points and derivatives follow the joined mesh. Returns false after an

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkUniformSubdivisionAlgorithm
- * @brief   what the filters have in common that subdivide all cells a number of times
+ * @brief base class of the filters that subdivide all cells a number of times
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSurfaceSubdivision
@@ -66,7 +66,7 @@ public:
    * Whether to output the point array `LimitNormals` (3 components, of the type of the points), the
    * active normals of the output: unit normals of the limit surface where each point ends up,
    * whether it is projected there or not. On surfaces they follow the orientation of the faces (of
-   * the first one of a part, if they differ; a part is what can be reached over edges of two
+   * the first one of a part, if they differ; a part is a set of faces connected over edges of two
    * faces), on the boundary of a solid they point out of it, as the control mesh says. A point on a
    * crease or on the border of a surface has the mean of the normals of its one or two sides, in
    * vtkSurfaceSubdivision the normal of one side. There points of a part with one side only, like a
@@ -98,7 +98,7 @@ public:
    * type of the points, not normalised): two tangents of the limit where each point ends up. On
    * surfaces and boundaries of solids they span the tangent plane, and their cross product has the
    * direction of the normal; on creases and borders the first one runs along the curve, and both
-   * are those of one side. On curves of vtkMultiDimensionalSubdivision the first one is the curve's
+   * belong to one side. On curves of vtkMultiDimensionalSubdivision the first one is the curve's
    * tangent, in the direction of its lines if these follow one another, and the second is zero.
    * There both are zero where GenerateLimitNormals says that there is no tangent plane, except on
    * curves, borders and creases with seven and more triangles on a side, and sharp joints, which
@@ -120,13 +120,13 @@ public:
    * component. The bounds hold for the points and values of the output, whether they are projected
    * to the limit or not, but for rounding in double precision. They are less than 2.5 times the
    * truth for 999 of 1,000 cells of random meshes, but 9.1 times was met, and there is no limit
-   * where the truth is rounding, or less than 1/160 of what is first found in tetrahedra (1/640 in
+   * where the truth is rounding, or less than 1/160 of the first bound in tetrahedra (1/640 in
    * faces; in lines 1/160000, of vtkSurfaceSubdivision 1/140000): Mathematics 14.
    *
    * They are read off a mesh of 3 more levels, which counts for MaximumNumberOfCells and memory:
    * 512 times as many tetrahedra, 64 times as many faces (SQRT_THREE: 4 more, 81 times). In
    * vtkMultiDimensionalSubdivision parts of cells are looked at up to 3 steps deeper (4 in
-   * triangles, 8 in lines) where bounds are more than 2.5 times what the truth is at least, some
+   * triangles, 8 in lines) where bounds are more than 2.5 times the least possible truth, some
    * milliseconds for each part. With a warning the filter makes no bounds where it has no proof:
    * with Bezier cells, KeepCellTypes, creases that are sharp for more than one level after the
    * last, and InterfaceValues = DISCONTINUOUS_VALUES; of surface schemes only for LOOP,
@@ -243,7 +243,7 @@ protected:
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
 
-  /// What Bezier cells need, if they cannot be made with the present options; else null.
+  /// The needs of Bezier cells, if they cannot be made with the present options; else null.
   virtual const char* DescribeBezierNeeds() const = 0;
   /// Whether the first level has quads where faces are none.
   virtual bool MakesQuads() const { return false; }

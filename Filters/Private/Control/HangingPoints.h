@@ -159,7 +159,7 @@ private:
     }
     return FlatPart(corners.data(), host.Size);
   }
-  /// The box of hosts, a bit larger: a face that is warped may bulge out of that of its corners.
+  /// The box of hosts, a bit larger: a face that is warped may bulge out of the box of its corners.
   Box GetBox(vtkIdType first, vtkIdType last) const
   {
     Box box;
@@ -187,7 +187,7 @@ private:
       });
     return points;
   }
-  /// The points inside a host, of those in its box.
+  /// The points in the box of a host that lie inside it.
   std::vector<int> FindInside(vtkIdType h, std::vector<int> points) const
   {
     const Host& host = this->Hosts[h];

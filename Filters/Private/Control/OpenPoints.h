@@ -22,7 +22,7 @@ struct OpenPointOptions
 {
   bool MergesPoints = false; ///< nothing is said of points at one place
   bool ClosesNodes = false;  ///< nor of those that hang
-  /// What to do where points are at one place, as the end of a text; empty: MergePoints.
+  /// The cure where points are at one place, as the end of a text; empty: MergePoints.
   std::string Cure;
   /// The input cell of a simplex: a tetrahedron (3), a face (2) or an edge (1) of the complex.
   std::function<vtkIdType(int, vtkIdType)> FindCell;
@@ -30,9 +30,10 @@ struct OpenPointOptions
 
 /**
  * Warnings: one counts points that are at most 1e-6 of the diagonal of all apart, names two of
- * them, and tells what helps; another one those that hang (FlatPart.h) so that an edge lies along
- * the edge or face of another cell, and names the first of these cells. None if no cells would be
- * joined: parts that touch at a point only, and cells without a size, are no reason to warn.
+ * them, and tells the cure; another one counts points that hang (FlatPart.h) so that an edge lies
+ * along the edge or face of another cell, and names the first of these cells. None if no cells
+ * would be joined: parts that touch at a point only, and cells without a size, are no reason to
+ * warn.
  *
  * Only open parts of the border can be joined: faces of one tetrahedron, edges of one triangle,
  * ends of lines; beside tetrahedra, all triangles and lines that are no part of them. They may hang

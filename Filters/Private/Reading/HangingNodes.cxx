@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The steps: find the faces and edges that no two cells share; ask a tree of their points which of
-// them lie on what; for each edge list its points, for each face the faces that cover it; write the
-// cells that have such an edge or face anew.
+// them lie on which face or edge; for each edge list its points, for each face the faces that cover
+// it; write the cells that have such an edge or face anew.
 #include "Private/Reading/HangingNodes.h"
 
 #include "Core/Memory/Sorting.h"

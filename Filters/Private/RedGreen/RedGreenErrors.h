@@ -25,7 +25,7 @@
 namespace subdivision
 {
 
-/// How many limits are found at a time, and what they take then.
+/// How many limits are found at a time, and the bytes that they take then.
 struct LimitBatches
 {
   static inline std::size_t Least = 8192; ///< corners and sites; tests change it
@@ -51,7 +51,7 @@ public:
   template <typename Cells>
   void Find(const RedGreen<Id>& state, const Cells& cells);
 
-  /// What Find found; negative: a value is not finite.
+  /// The error by Find; negative: a value is not finite.
   double GetError(Id a, Id b) const
   {
     const bool isMeasured = this->OfAttribute || (this->MayBeCurved[a] && this->MayBeCurved[b]);
@@ -109,7 +109,8 @@ private:
     Id Simplex;                    ///< its number; -1: the vertex is inside a solid
     std::array<double, 3> Weights; ///< of the corners
   };
-  /// Some vertices of the state and those from which they come, numbered as LocalLimit takes them.
+  /// Some vertices of the state and the vertices from which they come, numbered as LocalLimit takes
+  /// them.
   struct Numbering
   {
     Buffer<Id> Numbers; ///< -1: not needed

@@ -25,15 +25,15 @@ template <typename Id>
 class RedGreenLimit
 {
 public:
-  /// `scheme`: that of the limit. False where a stamp that is trusted leads to other cells than
-  /// those that were read.
+  /// `scheme`: the scheme of the limit. False where a stamp that is trusted leads to other cells
+  /// than the input has.
   bool Build(const ControlMesh& mesh, const FeatureOptions& features, StampScheme scheme,
     const Coordinates& points, const WarnFunction& warn);
 
   /// The limits of the control vertices.
   SparseRows<Id> GetControlRows() const;
-  /// Sets the coordinates and the attribute of the control vertices, where they are not those that
-  /// the criteria read; empty: they are.
+  /// Sets the coordinates and the attribute of the control vertices, where they differ from the
+  /// numbers that the criteria read; empty: they do not.
   void SetControlValues(std::vector<double>&& coordinates, std::vector<double>&& attribute)
   {
     this->ControlCoordinates = std::move(coordinates);

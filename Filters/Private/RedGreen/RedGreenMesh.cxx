@@ -57,12 +57,12 @@ public:
   {
   }
 
-  /// False, and nothing happens, where the cells are not what the arrays say; `fault` says why if
-  /// the user should know.
+  /// False, and nothing happens, where the cells do not fit the arrays; `fault` says why if the
+  /// user should know.
   bool Run(std::string& fault);
   /// The simplices that were read, also after Run replaced them.
   const SimplexView& GetRead() const { return this->Read; }
-  /// Undoes what Run did.
+  /// Undoes the work of Run.
   void Revert();
 
 private:

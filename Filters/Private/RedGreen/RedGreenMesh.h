@@ -61,8 +61,8 @@ struct RedGreenMesh
 RedGreenMesh ReadRedGreenMesh(vtkPointSet* input, const FeatureOptions& features,
   StampScheme scheme, bool trustStamp, bool undo);
 
-/// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`:
-/// what the output is of which this is a part; nothing: it is the whole.
+/// Writes or replaces the stamp, the leaves and the global ids of a finished output. `whole`: the
+/// numbers of the output of which this is a part; nothing: it is the whole.
 template <typename Id>
 void WriteRedGreenFields(const RedGreenMesh& mesh, const RedGreenOutput<Id>& plan, bool isProjected,
   const WholeNumbers& whole, vtkUnstructuredGrid* output);

@@ -31,8 +31,8 @@ RedGreenNormals<Id>::RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh
     });
 }
 
-/// Triangles are known by the cell of which they are a part: their order is that of the whole mesh.
-/// The complex has those of equal vertices once, in the place of the first.
+/// Triangles are known by the cell of which they are a part: their order is the order of the whole
+/// mesh. The complex has triangles of equal vertices once, in the place of the first.
 template <typename Id>
 SharedKeys RedGreenNormals<Id>::MakeTriangleKeys(vtkPointSet* input, const SimplicesOfCells& cells,
   const SimplicialComplex<Id>& complex, OtherPartitions& others)

@@ -22,8 +22,8 @@ template <typename Id>
 class RedGreenNormals
 {
 public:
-  /// Finds on which side normals are: `mesh` is what was read from `input`, and `points` are its
-  /// given coordinates. All partitions call it together; null: there are no others.
+  /// Finds on which side normals are: `mesh` was read from `input`, and `points` are its given
+  /// coordinates. All partitions call it together; null: there are no others.
   RedGreenNormals(vtkPointSet* input, const ControlMesh& mesh, const Coordinates& points,
     const RedGreenLimit<Id>& limit, OtherPartitions* others);
 

@@ -81,7 +81,7 @@ void RedGreenRun::StartPoints()
 /// How many cells the output may have, by the option and by the memory that there is.
 void RedGreenRun::FindLimit()
 {
-  // Connectivity, offset, type, our own arrays, what refinement keeps; a point for five cells.
+  // Connectivity, offset, type, our own arrays, the state of refinement; a point for five cells.
   const double perCell = 41. + 18. + 130. + GetBytesPerTuple(this->Input->GetCellData()) +
     (this->Points->GetBytesPerPoint() + 40.) / 5.;
   // In the first round, which has most candidates, errors of all of them are found.
@@ -141,7 +141,8 @@ bool RedGreenRun::Plan(SharedState<Id>& shared, RedGreenLimit<Id>& limit)
   return isFound;
 }
 
-/// Builds what puts vertices on the limit, if that is needed. Returns false if the stamp is wrong.
+/// Builds the complex that puts vertices on the limit, if that is needed. Returns false if the
+/// stamp is wrong.
 template <typename Id>
 bool RedGreenRun::BuildLimit(RedGreenLimit<Id>& limit)
 {
@@ -228,8 +229,8 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
 }
 
 /// Numbers the output of a state whose vertices are sorted; `simplices`: of which each cell is a
-/// part. Those of each number of halvings are numbered after those of less: two exchanges for each,
-/// of 32 bytes for each vertex.
+/// part. Vertices of each number of halvings are numbered after vertices of less: two exchanges for
+/// each, of 32 bytes for each vertex.
 template <typename Id>
 WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
   const std::vector<vtkIdType>& simplices, OtherPartitions& others, vtkUnstructuredGrid* output)

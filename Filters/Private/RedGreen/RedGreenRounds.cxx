@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rounds of a red-green refinement: each marks what the criteria ask for and closes the marks,
-// until there are none, or the output is large enough.
+// The rounds of a red-green refinement: each marks the cells that the criteria ask for and closes
+// the marks, until there are none, or the output is large enough.
 #include "Private/RedGreen/RedGreenRun.h"
 
 #include "Core/Memory/Sorting.h"

@@ -17,9 +17,9 @@ class vtkUnstructuredGrid;
 namespace subdivision
 {
 
-/// Writes cells and cell data. `mesh` is what was read from `input`. `simplices` gets the simplex
-/// of the mesh of which each cell is a part; null: it is not wanted. `pointsMove`: see
-/// CellArrayOptions. Warns of arrays of the input that are replaced.
+/// Writes cells and cell data. `mesh` was read from `input`. `simplices` gets the simplex of the
+/// mesh of which each cell is a part; null: it is not wanted. `pointsMove`: see CellArrayOptions.
+/// Warns of arrays of the input that are replaced.
 template <typename Id>
 void WriteRedGreenCells(const RedGreenOutput<Id>& plan, vtkPointSet* input,
   const RedGreenMesh& mesh, const RunOptions& run, bool pointsMove,

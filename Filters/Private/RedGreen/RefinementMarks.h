@@ -27,7 +27,7 @@ struct RefinementMark
 };
 
 /// The cells of the input, which are the candidates for marks in the first round. IsOver says which
-/// of them are red already, IsOwn which are not those of another partition.
+/// of them are red already, IsOwn which belong to no other partition.
 template <typename Id>
 class InputCandidates
 {
@@ -78,7 +78,7 @@ private:
   const SimplexStarts Places;
 };
 
-/// The cells that the last round changed, but for those that cannot be refined further.
+/// The cells that the last round changed, but for cells that cannot be refined further.
 template <typename Id>
 class ChangedCandidates
 {
@@ -127,7 +127,7 @@ private:
   const Buffer<RedGreenOutputCell<Id>> Cells;
 };
 
-/// What a round found that the user is told.
+/// The findings of a round that the user is told.
 struct MarkNotes
 {
   /// Edges of the input with a value that is not finite.
@@ -191,7 +191,7 @@ private:
     }
   };
 
-  /// Looks at cells in threads; `values`: those of the function if threads may not evaluate it.
+  /// Looks at cells in threads; `values`: the function's, if threads may not evaluate it.
   void Look(vtkIdType begin, vtkIdType end, const Buffer<double>& values, std::vector<Mark>& marks,
     MarkNotes& notes) const
   {
@@ -238,7 +238,7 @@ private:
     }
   }
 
-  /// `value`: those of the function at these cells, or null.
+  /// `value`: the function's at these cells, or null.
   void LookAtBlock(vtkIdType first, vtkIdType last, const double* value, Found& found) const
   {
     if (this->Criteria.ReadsFunctionOnly())

@@ -143,7 +143,8 @@ void SharedSplits<Id>::NameNew(const RedGreen<Id>& state)
 // ------------------------------------------------------------------------------------------------
 // Messages
 
-/// The splits that no other partition was told of, for those that have copies of the cells.
+/// The splits that no other partition was told of, for the partitions that have copies of the
+/// cells.
 template <typename Id>
 typename SharedSplits<Id>::Splits SharedSplits<Id>::TakeNew(const RedGreen<Id>& state)
 {

@@ -18,18 +18,18 @@
 namespace subdivision
 {
 
-/// What the state of a partition does with each simplex: own cells count, cells that share a point
+/// The part of each simplex in the state of a partition: own cells count, cells that share a point
 /// with them are split too, so that errors at own edges have all their triangles, all others stay.
 std::vector<CellScope> FindScopes(const RedGreenMesh& mesh, const OtherPartitions& others);
 
 /**
  * Passes on splits between the states of the partitions. Each sends the new midpoints in its own
- * cells to the partitions that have copies of these cells; what arrives is split there, and
- * spreads; and so on, until nobody has anything new. As the set of split edges does not depend on
- * the order of marks, it is then the same as that of the whole mesh.
+ * cells to the partitions that have copies of these cells; edges that arrive are split there, and
+ * spread; and so on, until nobody has anything new. As the set of split edges does not depend on
+ * the order of marks, it is then the same as in the whole mesh.
  *
  * A vertex is known to others by its name: a point by its id, a midpoint by a hash of the names of
- * its ends, the centre of a cell by a hash of those of the points around it. 128 bits make it
+ * its ends, the centre of a cell by a hash of the names of the points around it. 128 bits make it
  * unlikely that two vertices ever get the same name: less than 1e-18 for 1e10 vertices.
  */
 template <typename Id>
