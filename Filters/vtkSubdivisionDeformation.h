@@ -54,14 +54,14 @@
  * outside, or on a surface, has the identity matrix or, if OUTSIDE_NEAREST binds it to a
  * tetrahedron, the matrix of the tetrahedron. All other arrays pass unchanged.
  *
- * @par Kept between executions The operators of all levels, the subdivided mesh at rest and a
- * search tree, for a rest mesh of equal content; and for each input of the last update its rows of
- * at most 4 entries, and composed rows over the control points where these are fewer bytes to read.
- * The filter recognises an input by the content of its points (512 bits of checksum for each half
- * megabyte). When only the deformed mesh changes, the work is one product with each operator and
- * one with the rows. Then the points of an output of a megabyte or more take the memory of the
- * output before, unless others still have its points: they never change, and nothing of them is
- * kept between runs.
+ * @par Kept between executions
+ * The operators of all levels, the subdivided mesh at rest and a search tree, for a rest mesh of
+ * equal content; and for each input of the last update its rows of at most 4 entries, and composed
+ * rows over the control points where these are fewer bytes to read. The filter recognises an input
+ * by the content of its points (512 bits of checksum for each half megabyte). When only the
+ * deformed mesh changes, the work is one product with each operator and one with the rows. Then
+ * the points of an output of a megabyte or more take the memory of the output before, unless others
+ * still have its points: they never change, and nothing of them is kept between runs.
  *
  * @par Complexity
  * The first execution: linear in the size of the subdivided mesh, O(p log n) for p points in n

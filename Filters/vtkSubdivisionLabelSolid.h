@@ -49,8 +49,8 @@
  * scalars), with name and type of the input's; the other arrays of the voxels but ids, floating
  * point numbers averaged over the voxels of the block that have its label, of others the tuple of
  * the first of these; the columns of the table that have numbers, which replace arrays of the
- * voxels of the same name, with a warning. Field arrays: those of the image, and all columns of the
- * table, so also the names of materials.
+ * voxels of the same name, with a warning. Field arrays: the image's, and all columns of the table,
+ * so also the names of materials.
  *
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
@@ -128,7 +128,7 @@ public:
   ///@{
   /**
    * Which voxels of a label are connected: by FACES (0; 6 neighbours), or also by edges and
-   * CORNERS (1, the default; 26 neighbours), where those connected by faces stay so.
+   * CORNERS (1, the default; 26 neighbours), where voxels connected by faces stay so.
    */
   vtkSetClampMacro(Connectivity, int, FACES, CORNERS);
   vtkGetMacro(Connectivity, int);

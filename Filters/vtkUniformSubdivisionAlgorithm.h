@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkUniformSubdivisionAlgorithm
- * @brief base class of the filters that subdivide all cells a number of times
+ * @brief   base class of the filters that subdivide all cells a number of times
  *
  * @sa
  * vtkMultiDimensionalSubdivision vtkSurfaceSubdivision

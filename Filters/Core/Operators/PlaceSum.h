@@ -68,7 +68,7 @@ public:
 };
 
 /// A place as weighted sums over vertices of a level, which go back from level to level. The first
-/// of `Weights` are those of a value, whose sum is 1; the others are those of derivatives, whose
+/// of `Weights` belong to a value, and their sum is 1; the others belong to derivatives, and their
 /// sum is 0.
 template <typename Lattice, typename Weights = PartWeights>
 class PlaceSum
@@ -155,7 +155,7 @@ private:
   /// but for a multiple of the value, which no step changes: this is found by the sum, and taken
   /// away, so that derivatives on all levels are as exact as values. It is taken away on each
   /// level: where derivatives shrink faster than 2^-k, near vertices with three or four triangles,
-  /// nothing of them would be left beside what earlier levels add up to.
+  /// nothing of them would be left beside the sums of earlier levels.
   void RemoveConstants()
   {
     Weights sums{};

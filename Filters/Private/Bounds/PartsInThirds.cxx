@@ -55,7 +55,7 @@ Sectors::Entries GetLastRow(const SteppedPieces& from, vtkIdType point)
 
 /// Edges of triangles that are cut by points of which the nearer end is more than half, with one
 /// other point or two (a row of any other such point has the ends and both neighbours, or, around a
-/// vertex of two triangles, equal weights). What is fixed is read off the rows.
+/// vertex of two triangles, equal weights). The fixed weights are read off the rows.
 std::set<PartsInThirds::Ends> PartsInThirds::ListFixedEdges() const
 {
   std::set<Ends> fixed;

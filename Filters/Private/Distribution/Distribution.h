@@ -74,7 +74,7 @@ void RequestOutput(vtkDataObject* input, bool isOfSurfaces, vtkInformationVector
  *
  * Field arrays `SubdivisionBlockPoints` and `SubdivisionBlockCells` of the output say where its
  * points and cells are in the whole output (StampedParts.h); with them, a filter that gets all
- * blocks, or all parts on their ranks, goes on with what an earlier filter began.
+ * blocks, or all parts on their ranks, goes on with the work of an earlier filter.
  *
  * All ranks call this together. They agree on going on after they read, and at the end; if one
  * fails, all fail, and rank 0 gives the message of the first that did.

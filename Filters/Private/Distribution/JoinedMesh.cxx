@@ -69,7 +69,7 @@ int GetKind(int cellType)
   }
 }
 
-/// Sorts items by id, drops those whose id came before, and says where each item of each part is.
+/// Sorts items by id, drops items whose id came before, and says where each item of each part is.
 Places SortItems(std::vector<Item>& items, const std::vector<MeshPart>& parts,
   const std::vector<vtkIdType> MeshPart::* ids)
 {

@@ -16,7 +16,7 @@
 namespace subdivision
 {
 
-/// What is kept of one mesh.
+/// The kept data of one mesh.
 struct KeptEntry
 {
   virtual ~KeptEntry() = default;

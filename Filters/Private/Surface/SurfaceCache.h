@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SurfaceCache.h
- * What a surface filter keeps of a mesh between executions: the levels and the output's cells.
+ * The data that a surface filter keeps between executions: the levels and the output's cells.
  */
 #ifndef SubdivisionObjects_SurfaceCache_h
 #define SubdivisionObjects_SurfaceCache_h

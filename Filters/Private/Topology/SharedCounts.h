@@ -26,15 +26,16 @@ struct OwnSimplices
   /// Of each vertex, edge, face and tetrahedron: 1 if the first cell that it lies on is own. So
   /// each simplex counts in one partition.
   Buffer<unsigned char> Flags[4];
-  /// Vertices of own cells, those among them that other partitions have cells at: ascending.
+  /// Vertices of own cells, and among them the vertices at which other partitions have cells:
+  /// ascending.
   std::vector<vtkIdType> Shared;
 };
 
 /**
- * The numbers of the whole complex. Each partition finds the components of its own edges; those of
- * two partitions that share a vertex are one. Whoever keeps the vertex learns which these are, and
- * tells the first partition: two exchanges, 24 bytes for each component at a shared vertex, and 40
- * for each two components that meet at the border of two partitions.
+ * The numbers of the whole complex. Each partition finds the components of its own edges;
+ * components of two partitions that share a vertex are one. Whoever keeps the vertex learns which
+ * these are, and tells the first partition: two exchanges, 24 bytes for each component at a shared
+ * vertex, and 40 for each two components that meet at the border of two partitions.
  */
 template <typename Id>
 ComplexNumbers CountTogether(const SimplicialComplex<Id>& complex,

@@ -293,9 +293,9 @@ std::vector<char> FindOwnPoints(
   return own;
 }
 
-/// Numbers the points that a step adds: the middles of edges, then those of quads, by the numbers
-/// of the corners, then those of hexahedra, by their input cell and which of its hexahedra they are
-/// in. Six exchanges. `places`: PlaceCells.
+/// Numbers the points that a step adds: the middles of edges, then of quads, by the numbers of the
+/// corners, then of hexahedra, by their input cell and which of its hexahedra they are in. Six
+/// exchanges. `places`: PlaceCells.
 void NumberPoints(const RedStep& step, const KeptCells& before,
   const std::vector<vtkIdType>& places, OtherPartitions& others, WholeIds& points)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OperatorCache.h
- * What a filter keeps of a mesh between executions: the operators of all levels and the output's
+ * The data that a filter keeps between executions: the operators of all levels and the output's
  * cells.
  */
 #ifndef SubdivisionObjects_OperatorCache_h

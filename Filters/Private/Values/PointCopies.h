@@ -77,7 +77,7 @@ void ForEachCellArray(vtkPointSet* mesh, const Visit& visit)
   }
 }
 
-/// Gives a mesh the cells of such arrays; `types`: those of a grid.
+/// Gives a mesh the cells of such arrays; `types`: the types of a grid.
 void SetCellArrays(vtkPointSet* mesh, vtkUnsignedCharArray* types,
   const std::vector<vtkSmartPointer<vtkCellArray>>& cells);
 

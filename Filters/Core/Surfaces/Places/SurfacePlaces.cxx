@@ -19,10 +19,10 @@ namespace subdivision
 namespace
 {
 
-/// The patches of some levels, each around a part of what a step makes from the one before, and the
-/// rows of their vertices, as PlaceSum goes back through them. Level 0 is the whole level around
-/// which the first patch is. A vertex has its number on the level that a step has made, of which
-/// the next patch is a part.
+/// The patches of some levels, each around a part that a step makes of the one before, and the rows
+/// of their vertices, as PlaceSum goes back through them. Level 0 is the whole level around which
+/// the first patch is. A vertex has its number on the level that a step has made, of which the next
+/// patch is a part.
 template <typename Id>
 class PatchLevels
 {

@@ -124,7 +124,7 @@ public:
     return isRegular;
   }
 
-  /// Both halves of an edge: the vertices opposite to each are those of the two faces.
+  /// Both halves of an edge: the two faces have the vertices opposite to each.
   bool FindHalves(Id edge, Id* columns) const
   {
     constexpr int ofFace = Arity - 2;

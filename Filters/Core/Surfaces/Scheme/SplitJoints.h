@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SplitJoints.h
- * What all steps do alike with edges that they cut into pieces or keep: with joints, sheaves, and
- * lines.
+ * The common part of all steps for edges that they cut into pieces or keep: with joints, sheaves,
+ * and lines.
  *
  * `Split` says how: an edge has `GetNumberOfPieces()` pieces, GetPiece(edge, i) from its first end
  * on, and between these the points GetPoint(edge, i). For a corner of a face at the edge,

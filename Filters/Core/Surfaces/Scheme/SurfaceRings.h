@@ -43,7 +43,7 @@ void VisitFaces(const PolygonMesh<Id>& mesh, Id vertex, const Visit& visit)
     });
 }
 
-/// Appends what is stored for each corner of a face: its vertices or its edges.
+/// Appends the ids stored for each corner of a face: its vertices or its edges.
 template <typename Id>
 void AppendOfFace(
   const PolygonMesh<Id>& mesh, const Buffer<Id>& ofCorners, Id face, std::vector<Id>& ids)
