@@ -190,13 +190,13 @@ its input on so far, and so has no options of its own.
 
 PAGE = """# @LABEL@
 
-BEGIN HERE: what it does, in three sentences (class `vtk@NAME@`, Python `subdivisionobjects.@function@`).
+BEGIN HERE: what it does, in three sentences (class `vtk@NAME@`, Python `subdivisionobjects.@function@`). Then a picture.
 
 ## When to use it
 
-## Pitfalls
+## What comes out
 
-## Properties
+## Pitfalls
 
 <!-- properties -->
 """
@@ -281,7 +281,7 @@ def main():
                    "| @NAME@ | Core, Reading, Arrays, Control | BEGIN HERE. |\n")
     project.insert("Testing/Python/test_plugin.py", r'^        "ExtractDimensions": \(',
                    '        "@NAME@": ("@LABEL@", "' + "".join(words(name)) + '"),\n')
-    project.insert("CHANGELOG.md", r"^- `vtkMultiDimensionalSubdivision` \(", "- `vtk@NAME@` (\"@LABEL@\"): @brief@.\n")
+    project.insert("CHANGELOG.md", r"^- ", "- `vtk@NAME@` (\"@LABEL@\"): @brief@.\n")
     project.write()
     print("Now: search these files for BEGIN HERE; ./dev format; ./dev try " + name + "; cmake --build build/vtk "
           "--target guide_tables writes the table of the page.\nDocumentation/Contributing.md, \"Add a public filter\", "

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes one site of the documents and the public classes by Doxygen, and checks it: make_site.py PROJECT FOLDER
 
-FOLDER/html/index.html is README. The .md files are copied to FOLDER/pages on the way, where each title gets a label and
-links lead to labels, because versions of Doxygen differ in what they make of links between files. Files that documents
-link to and that are no documents are copied to FOLDER/html/files. Fails where Doxygen warns, and where a link or a
-picture of the site leads nowhere."""
+FOLDER/html/index.html is the guide; its sections are the menu. The .md files are copied to FOLDER/pages on the way, where
+each title gets a label and links lead to labels, because versions of Doxygen differ in what they make of links between
+files. Files that documents link to and that are no documents are copied to FOLDER/html/files. Fails where Doxygen warns,
+and where a link or a picture of the site leads nowhere."""
 
 import html.parser
 import os
@@ -14,12 +14,16 @@ import shutil
 import subprocess
 import sys
 import urllib.parse
+from xml.sax.saxutils import quoteattr
 
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(\s*<?([^)\s>]+)>?\s*\)")
 HEADING = re.compile(r"^(#+) +(.*?)\s*$")
 CODE = re.compile(r"^(```.*?^```[^\n]*$|(?:^    [^\n]*$\n?)+)", re.DOTALL | re.MULTILINE)
 SPAN = re.compile(r"(`[^`\n]+`)")
 LANGUAGES = {"python": "py", "cpp": "cpp"}  # what Doxygen colours
+# Pictures and tables are no wider than the page.
+STYLE = ".contents img { max-width: 100%; height: auto; } .contents table { max-width: 100%; } .contents td { overflow-wrap: anywhere; }\n"
+ITEM = re.compile(r"^- \[([^\]]*)\]\(([^)]*)\)", re.MULTILINE)
 
 
 def word(text):
@@ -36,18 +40,30 @@ class Site:
                      project / "Data/README.md", project / "Examples/README.md", project / "Filters/Core/README.md", project / "Testing/README.md",
                      project / "Testing/Benchmarks/README.md"]
         self.documents = [path.resolve() for path in documents if path.exists()]
-        self.files, self.parents = set(), set()
+        self.guide = project / "Documentation/Guide/README.md"
+        self.files, self.parents, self.labels = set(), set(), set()
 
     def label(self, path):
         name = path.relative_to(self.project).with_suffix("")
-        return "mainpage" if str(name) == "README" else "page_" + re.sub(r"\W", "_", str(name))
+        return "mainpage" if path == self.guide else "page_" + re.sub(r"\W", "_", str(name))
 
     def section(self, path, name):
         return f"{self.label(path)}_{re.sub(r'[^a-z0-9]', '_', name)}"
 
+    def new(self, label):
+        """A label that no section has yet: releases have the same sections."""
+        while label in self.labels:
+            label += "_again"
+        self.labels.add(label)
+        return label
+
+    def shown(self, path):
+        """The title of a document."""
+        return path.read_text(encoding="utf-8").split("\n", 1)[0].lstrip("# ")
+
     def title(self, path):
-        """The title of a document, as links call it."""
-        return word(path.read_text(encoding="utf-8").split("\n", 1)[0].lstrip("# "))
+        """The same as links call it."""
+        return word(self.shown(path))
 
     # ------------------------------------------------------------ from documents to pages
 
@@ -71,8 +87,8 @@ class Site:
         if document:
             if section and section != self.title(document):
                 return f"[{text}](@ref {self.section(document, section)})"
-            # The pages of the guide hang below its index.
-            below = path.name == "README.md" and path.parent.name == "Guide" == document.parent.name
+            # The pages that lists of the guide's index name hang below it.
+            below = path == self.guide and match.string[:match.start()].endswith("\n- ")
             if below and document not in self.parents and document != path:
                 self.parents.add(document)
                 return f'@subpage {self.label(document)} "{text}"'
@@ -86,7 +102,7 @@ class Site:
         for line in text.split("\n"):
             heading = HEADING.match(line)
             if heading:
-                label = self.label(path) if len(heading[1]) == 1 else self.section(path, word(heading[2]))
+                label = self.label(path) if len(heading[1]) == 1 else self.new(self.section(path, word(heading[2])))
                 line = f"{heading[1]} {heading[2]} {{#{label}}}"
             lines.append(line)
         text = re.sub(r"<!--.*?-->", "", "\n".join(lines), flags=re.DOTALL)
@@ -106,8 +122,7 @@ class Site:
     def write_pages(self):
         shutil.rmtree(self.folder, ignore_errors=True)
         self.pages.mkdir(parents=True)
-        guide = self.project / "Documentation/Guide/README.md"
-        for path in sorted(self.documents, key=lambda one: one != guide):
+        for path in sorted(self.documents, key=lambda one: one != self.guide):
             pieces = CODE.split(path.read_text(encoding="utf-8"))
             text = "".join(self.block(piece) if i % 2 else self.prose(path, piece) for i, piece in enumerate(pieces))
             name = str(path.relative_to(self.project)).replace("/", "_")
@@ -115,13 +130,41 @@ class Site:
 
     # ------------------------------------------------------------ Doxygen
 
+    def menu(self):
+        """The tabs of the site: the guide, its sections that list pages, README and the like, and the classes."""
+        tabs = ['<tab type="mainpage" visible="yes" title="Guide"/>']
+        for section in re.split(r"^## ", self.guide.read_text(encoding="utf-8"), flags=re.MULTILINE)[1:]:
+            pages = [(text, self.document_of((self.guide.parent / name).resolve())) for text, name in ITEM.findall(section)]
+            tabs.append(self.tab(section.split("\n", 1)[0], pages))
+        project = [self.project / name for name in ("README.md", "CHANGELOG.md")]
+        developers = sorted({*self.documents, *project} - {self.guide, *self.parents, *project})
+        tabs.append(self.tab("Project", [(self.shown(path), path) for path in project + developers]))
+        return "\n".join(["<navindex>", *filter(None, tabs), '<tab type="classes" visible="yes" title="Classes">',
+                          '<tab type="classlist" visible="yes" title="" intro=""/>',
+                          '<tab type="hierarchy" visible="yes" title="" intro=""/>', "</tab>", "</navindex>"])
+
+    def tab(self, title, pages):
+        inside = [f'<tab type="user" visible="yes" url="@ref {self.label(path)}" title={quoteattr(text)}/>' for text, path in pages]
+        return "\n".join([f'<tab type="usergroup" visible="yes" title={quoteattr(title)}>', *inside, "</tab>"]) if pages else ""
+
+    def write_layout(self):
+        """Doxygen's own layout of this version, with the menu in the place of its own."""
+        layout = self.folder / "layout.xml"
+        subprocess.run(["doxygen", "-l", str(layout)], check=True, stdout=subprocess.DEVNULL)
+        text = layout.read_text(encoding="utf-8")
+        layout.write_text(text[:text.index("<navindex>")] + self.menu() + text[text.index("</navindex>") + len("</navindex>"):],
+                          encoding="utf-8")
+        style = self.folder / "site.css"
+        style.write_text(STYLE, encoding="utf-8")
+        return [f'LAYOUT_FILE = "{layout}"', f'HTML_EXTRA_STYLESHEET = "{style}"']
+
     def run_doxygen(self):
         settings = (self.project / "Documentation/Doxyfile").read_text(encoding="utf-8")
         images = {str(path.parent) for path in self.project.glob("Documentation/**/*.png")}
         log = self.folder / "warnings.txt"
         settings += "\n".join(["", f'INPUT = "{self.pages}" "{self.project}/Filters"', f'OUTPUT_DIRECTORY = "{self.folder}"',
                                "IMAGE_PATH = " + " ".join(f'"{path}"' for path in sorted(images)),
-                               f'WARN_LOGFILE = "{log}"', f'STRIP_FROM_PATH = "{self.project}"', ""])
+                               f'WARN_LOGFILE = "{log}"', f'STRIP_FROM_PATH = "{self.project}"', *self.write_layout(), ""])
         made = subprocess.run(["doxygen", "-"], input=settings, text=True, cwd=self.project)
         if made.returncode:
             sys.exit(f"doxygen ended with {made.returncode}")

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file TestInputContract.cxx
- * Each row of the tables of Documentation/Guide/InputContract.md is what the filter does: what it
- * says, word by word, and how many points and cells the output has. Each key has a row.
+ * Each row of the tables of Documentation/Guide/InputContract.md is what the filter does. Messages,
+ * word by word, points and cells of the output stand in InputContract.txt beside this file.
  */
 #include "InputContractCases.h"
 
@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <regex>
+#include <set>
 #include <sstream>
 
 using namespace input_contract;
@@ -130,12 +131,27 @@ std::string Trim(const std::string& text)
   return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
 }
 
-/// The rows of all tables of the page, by key. Columns: key, input, what is said, message, points,
-/// cells.
-std::map<std::string, Row> ReadPage()
+std::vector<std::string> SplitColumns(const std::string& line)
+{
+  std::vector<std::string> columns;
+  std::istringstream text(line);
+  for (std::string column; std::getline(text, column, '|');)
+  {
+    columns.push_back(Trim(column));
+  }
+  return columns;
+}
+
+std::ifstream OpenFile(const std::string& path)
 {
   const char* data = std::getenv("SUBDIVISIONOBJECTS_DATA");
-  std::ifstream page(std::string(data ? data : "") + "/../Documentation/Guide/InputContract.md");
+  return std::ifstream(std::string(data ? data : "") + "/../" + path);
+}
+
+/// The rows of all tables of the page, by key. Columns: nothing, key, input, what is said.
+std::map<std::string, Row> ReadPage()
+{
+  std::ifstream page = OpenFile("Documentation/Guide/InputContract.md");
   std::map<std::string, Row> rows;
   std::string line;
   while (std::getline(page, line))
@@ -144,25 +160,46 @@ std::map<std::string, Row> ReadPage()
     {
       continue;
     }
-    std::vector<std::string> columns;
-    std::istringstream text(line.substr(1));
-    for (std::string column; std::getline(text, column, '|');)
-    {
-      columns.push_back(Trim(column));
-    }
-    EXPECT_EQ(columns.size(), 6u) << line;
-    columns.resize(6);
-    EXPECT_EQ(rows.count(columns[0]), 0u) << columns[0] << " is there twice";
-    rows[columns[0]] = { columns[2], columns[3], columns[4], columns[5] };
+    std::vector<std::string> columns = SplitColumns(line);
+    EXPECT_EQ(columns.size(), 4u) << line;
+    columns.resize(4);
+    EXPECT_EQ(rows.count(columns[1]), 0u) << columns[1] << " is there twice";
+    rows[columns[1]].Kind = columns[3];
   }
   return rows;
+}
+
+/// Adds what InputContract.txt has: points, cells and the message of each key.
+void ReadMessages(std::map<std::string, Row>& rows)
+{
+  std::ifstream file = OpenFile("Testing/Filters/AllFilters/InputContract.txt");
+  std::set<std::string> keys;
+  std::string line;
+  while (std::getline(file, line))
+  {
+    if (line.compare(0, 1, "#") == 0)
+    {
+      continue;
+    }
+    std::vector<std::string> columns = SplitColumns(line);
+    EXPECT_TRUE(columns.size() == 3 || columns.size() == 4) << line;
+    columns.resize(4);
+    EXPECT_TRUE(keys.insert(columns[0]).second) << columns[0] << " is there twice";
+    EXPECT_EQ(rows.count(columns[0]), 1u) << columns[0] << " has no row in the page";
+    Row& row = rows[columns[0]];
+    row.Points = columns[1];
+    row.Cells = columns[2];
+    row.Message = columns[3];
+  }
+  EXPECT_EQ(keys.size(), rows.size()) << "rows of the page have no line in InputContract.txt";
 }
 
 }
 
 TEST(InputContract, EachRowIsWhatHappens)
 {
-  const std::map<std::string, Row> rows = ReadPage();
+  std::map<std::string, Row> rows = ReadPage();
+  ReadMessages(rows);
   ASSERT_FALSE(rows.empty()) << "no table in Documentation/Guide/InputContract.md";
   for (const auto& row : rows)
   {
@@ -190,7 +227,7 @@ TEST(InputContract, EachInputHasARow)
   for (const auto& one : GetCases())
   {
     EXPECT_EQ(rows.count(one.first), 1u)
-      << "| `" << one.first << "` | | " << Try<Filter>(one.second).GetText() << " |";
+      << "| `" << one.first << "` | | " << Try<Filter>(one.second).Kind << " |";
   }
 }
 
