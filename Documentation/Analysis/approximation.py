@@ -28,6 +28,7 @@ TEXTS = {"sqrt(3)": "Steps are two levels, which divide lengths by 3.", "4-8": "
          "Midedge": "The same; steps are two levels."}
 SOLIDS = {"Solids, box spline": BOX_SPLINE, "Solids, tet/oct": TET_OCT}
 FACES = (3, 4, 5, 6, 7, 8, 10, 12)
+SHOWN = ["3", "4", "5", "6", "7", "12"]
 REGULAR = {"Loop": "6", "Catmull-Clark": "4", "Butterfly": "6", "sqrt(3)": "6", "4-8": "4", "Doo-Sabin": "4", "Midedge": "4"}
 ORDERS = {"Loop": 4, "Catmull-Clark": 4, "Butterfly": 4, "sqrt(3)": 3, "4-8": 6, "Doo-Sabin": 3, "Midedge": 3}
 PLACES = [("lattice", 0), *(("edge", n) for n in range(3, 9)), *(("vertex", n) for n in (4, 6, 12))]
@@ -70,7 +71,7 @@ def table(title, text, key, steps, rows, slopes=()):
     columns = [key] + [f"step {step}" for step in range(1, steps + 1)] + ["order", "order in L2", *slopes, "bell",
                                                                           "bell in L2"]
     return Table(title, text, columns + (["bell, slopes in L2"] if slopes else []), rows,
-                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.", hidden=[
+                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.", keys=SHOWN if slopes else None, hidden=[
                      name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
                          ["slopes", "bell, slopes in L2"] if slopes else []))
 

@@ -27,7 +27,7 @@ class Table:
     rows: list
     plot: str = ""  # name of a file beside the page, which the page's `draw` makes
     caption: str = ""
-    keys: list = None  # rows that the page shows, all if there is no list; the file beside it has all
+    keys: list = None  # rows that the page shows, all if there is no list; without a row it leaves the table to the file
     hidden: list = dataclasses.field(default_factory=list)  # columns that the page does not show
 
 
@@ -95,8 +95,10 @@ def render(page, made):
     lines = [f"# {page.title}", "", *(picture(first) if first else []), page.text.strip(), ""]
     if any(table.keys is not None or table.hidden for table in page.tables):
         count = sum(map(len, made.values()))
-        lines += [f"Tables show some rows and columns; [{page.name}.csv]({page.name}.csv) has all {count} rows.", ""]
-    for table in page.tables:
+        left = "; ".join(table.title for table in page.tables if table.keys == [])
+        lines += [f"Tables show some rows and columns; [{page.name}.csv]({page.name}.csv) has all {count} rows."
+                  + (f" It alone has the tables of: {left}." if left else ""), ""]
+    for table in (table for table in page.tables if table.keys != []):
         lines += [f"## {table.title}", ""] + ([table.text.strip(), ""] if table.text else [])
         lines += [*lines_of(table, made[table.title]), ""]
         if table.plot and table is not first:

@@ -31,7 +31,8 @@ class Analysis(unittest.TestCase):
             for table in page.tables:
                 with self.subTest(f"{page.name}, {table.title}"):
                     self.assertLessEqual(set(table.hidden), set(table.columns))
-                    self.assertTrue(table.keys is None or set(table.keys) & {row.key for row in table.rows})
+                    self.assertTrue(not table.keys or set(table.keys) & {row.key for row in table.rows})
+                    self.assertFalse(table.plot and table.keys == [], "a plot that no page shows")
 
     def test_sentences_follow_from_the_rows(self):
         for page in analysis.all_pages():
