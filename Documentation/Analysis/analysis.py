@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the pages of this folder, or compares them with what is computed: analysis.py [--check] [PAGE...]"""
+"""Writes the pages of this folder and the files of their rows: analysis.py [--check|--text] [PAGE...]
+
+With --check it compares the files with what is computed; with --text it writes pages of the files as they stand, for a change of
+a text."""
 
 import pathlib
 import sys
@@ -20,7 +23,7 @@ def all_pages():
 
 
 def main():
-    names = [name for name in sys.argv[1:] if name != "--check"]
+    names = [name for name in sys.argv[1:] if name not in ("--check", "--text")]
     known = [page.name for page in all_pages()]
     for name in names:
         if name not in known:
@@ -28,7 +31,7 @@ def main():
     chosen = [page for page in all_pages() if not names or page.name in names]
     if "--check" not in sys.argv:
         for page in chosen:
-            pages.write(page)
+            (pages.write_text if "--text" in sys.argv else pages.write)(page)
         return
     total = 0
     for page in chosen:

@@ -28,6 +28,7 @@ TEXTS = {"sqrt(3)": "Steps are two levels, which divide lengths by 3.", "4-8": "
          "Midedge": "The same; steps are two levels."}
 SOLIDS = {"Solids, box spline": BOX_SPLINE, "Solids, tet/oct": TET_OCT}
 FACES = (3, 4, 5, 6, 7, 8, 10, 12)
+SHOWN = ["3", "4", "5", "6", "7", "12"]
 REGULAR = {"Loop": "6", "Catmull-Clark": "4", "Butterfly": "6", "sqrt(3)": "6", "4-8": "4", "Doo-Sabin": "4", "Midedge": "4"}
 ORDERS = {"Loop": 4, "Catmull-Clark": 4, "Butterfly": 4, "sqrt(3)": 3, "4-8": 6, "Doo-Sabin": 3, "Midedge": 3}
 PLACES = [("lattice", 0), *(("edge", n) for n in range(3, 9)), *(("vertex", n) for n in (4, 6, 12))]
@@ -70,20 +71,22 @@ def table(title, text, key, steps, rows, slopes=()):
     columns = [key] + [f"step {step}" for step in range(1, steps + 1)] + ["order", "order in L2", *slopes, "bell",
                                                                           "bell in L2"]
     return Table(title, text, columns + (["bell, slopes in L2"] if slopes else []), rows,
-                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.")
+                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.", keys=SHOWN if slopes else None, hidden=[
+                     name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
+                         ["slopes", "bell, slopes in L2"] if slopes else []))
 
 
 def surface_table(name):
     of = "Theorem 7" if name == "Loop" else "as Theorem 7"
-    return table(name, "Largest errors, and orders between the last two steps. " + TEXTS.get(name, ""), "faces",
+    return table(name, TEXTS.get(name, ""), "faces",
                  3 if name == "sqrt(3)" else 4, [Row(str(k), lambda k=k: surface_row(name, k)) for k in FACES],
                  [of, "slopes", "slopes in L2", f"{of}, s = 1"])
 
 
 def solid_table(title, scheme):
-    return table(title, "In the middle of a tetrahedron after three to six steps, where the mesh is a lattice; and, after one "
-                 "to four, around the middle of an edge of so many tetrahedra, and around a vertex with so many neighbours, the "
-                 "corners of a tetrahedron, an octahedron and an icosahedron.", "where", 4,
+    return table(title, "*Lattice*: the middle of a tetrahedron after three to six steps. Others after one to four steps: "
+                 "the middle of an edge of so many tetrahedra, and a vertex whose neighbours are the corners of a tetrahedron, an "
+                 "octahedron or an icosahedron.", "where", 4,
                  [Row(kind + (f" of {count}" if count else ""), lambda kind=kind, count=count: solid_row(scheme, kind, count))
                   for kind, count in PLACES])
 
@@ -124,33 +127,39 @@ def between(page, titles, name, keys, least, most):
 
 
 TEXT = f"""
-How fast the error falls when control meshes are refined. A plane mesh with three rings around a vertex of *k* faces is
-subdivided and projected to its limit, several times. Its points get the heights sin(1.3 x + 0.4) cos(1.1 y - 0.3).
-*InterpolatePoints* finds the control points whose limit goes through all of them: for x and y those of the subdivided
-plane mesh, so that the spaces of functions are nested as in Theorem 7 of [Z]. (Butterfly interpolates by itself.) On
-quads 4-8 and midedge have no such control points: heights of theirs are first the function at the control points, and
-then get back {CORRECTIONS} times what the limit lacks at its points. The limit at all points two levels finer
-(Butterfly: four) is compared with the function at their x and y, up to a distance of 1 from the vertex. Order 4 means
-that halving all lengths divides the error by 16. The L2 error is taken over the points, not by area. *Slopes* are
-errors of the gradient, which limit normals tell at points two levels finer. *Bell* is another function, 1 / (1 + x^2 +
-0.3 x + 0.5 y^2).
+How fast does the error fall when control meshes get finer? Order 4 means that halving all lengths divides the error by 16.
 
 **What it shows.** Regular meshes of Loop (6 triangles), Catmull-Clark (4 quads), Butterfly, curves and solids on
 lattices have order 4, as box splines and B-splines have; sqrt(3), Doo-Sabin and midedge have 3, and 4-8 has 6. Orders
-of slopes are smaller by 1 there; those of 4-8 are not, at these points. Theorem 7 bounds the L2 error of the *best*
-approximation by Loop's functions by the power 3 - s of the largest l1, at least 1/2, for each step; s = 1 is that of
-the first derivatives. As orders these are in the columns of Loop. What is measured here meets them at every valence,
-for both functions, and so it does the same bound with the l1 of the other schemes. (For these there is no such theorem
-in [Z]; the power of Butterfly, Doo-Sabin and midedge is 2 - s, as they are C^1.) The survey's second estimate, order 4
-in L2 at every valence with another notion of smoothness, is not met by interpolation of a function that is smooth in
-the plane: 2.90 at 7 triangles. The largest error has order 2 and less for 7 and more triangles of Loop, and 5 and more
-quads of Catmull-Clark and 4-8, as the mesh around the vertex is coarser there: its edges shrink by l1 and not by 1/2.
-Most of all this is so for midedge: order 0.2 in a face of 12.
+of slopes are smaller by 1 there; those of 4-8 are not, at these points.
 
-**Solids.** The functions are multiplied by cos(0.7 z + 0.2), or 1 + x^2 + 0.3 x + 0.5 y^2 + 0.7 z^2 - 0.2 y z takes the
-place of what the bell divides by. Values are not interpolated: they are first the function at control points, and then
-get back once what the limit lacks. Around extraordinary edges and vertices the L2 error has order 2.5 to 3.9, the
-largest one 1.4 to 3.2. An edge of 4 of the box spline is regular, and has order 4 like the lattice."""
+Near extraordinary vertices the mesh is coarser: its edges shrink by l1 for each step, and not by 1/2. The largest error has
+order 2 and less for 7 and more triangles of Loop, and 5 and more quads of Catmull-Clark and 4-8. Midedge is the worst: order
+0.2 in a face of 12.
+
+**Theorem 7** of [Z] bounds the L2 error of the *best* approximation by Loop's functions. The bound is the largest l1, at least
+1/2, to the power 3 - s for each step; s = 1 is for the first derivatives. The columns have it as an order. What is measured
+here meets the bound at every valence, for both functions, and so it does the same bound with the l1 of the other schemes. (For
+these [Z] has no such theorem. Butterfly, Doo-Sabin and midedge are C^1, so that their power is 2 - s.) A second estimate of the
+survey, order 4 in L2 at every valence with another notion of smoothness, is not met by interpolation of a function that is
+smooth in the plane: 2.90 at 7 triangles.
+
+**Solids.** Around extraordinary edges and vertices the L2 error has order 2.5 to 3.9, the largest one 1.4 to 3.2. An edge of 4
+of the box spline is regular, and has order 4 like the lattice.
+
+**What is measured.** A plane mesh with three rings around a vertex of *k* faces is subdivided several times and projected to
+its limit. Its points get the heights sin(1.3 x + 0.4) cos(1.1 y - 0.3). *InterpolatePoints* finds the control points whose
+limit goes through all of them. For x and y these are the control points of the subdivided plane mesh, so that the spaces of
+functions are nested as in Theorem 7. Butterfly interpolates by itself. On quads 4-8 and midedge have no such control points:
+the heights of their control points are first the function there, and then get back {CORRECTIONS} times what the limit lacks.
+The limit at all points two levels finer (Butterfly: four) is compared with the function at their x and y, up to a distance of 1
+from the vertex. The L2 error is taken over the points, not by area. *Slopes* are errors of the gradient, which limit normals
+tell at points two levels finer. The file has the errors of each step, too, and orders for a second function, *bell*:
+1 / (1 + x^2 + 0.3 x + 0.5 y^2).
+
+In solids the first function is multiplied by cos(0.7 z + 0.2), and the bell is 1 / (1 + x^2 + 0.3 x + 0.5 y^2 + 0.7 z^2 -
+0.2 y z). Values are not interpolated: they are first the function at control points, and then get back once what the limit
+lacks."""
 
 CLAIMS = [
     ("Regular meshes of Loop (6 triangles), Catmull-Clark (4 quads), Butterfly, curves and solids on lattices have order 4, as "
@@ -163,14 +172,14 @@ CLAIMS = [
      lambda page: all(between(page, [name], title, [REGULAR[name]], order - 1.05, order - .9)
                       for name, order in ORDERS.items() if name != "4-8" for title in ("slopes", "slopes in L2"))
      and between(page, ["4-8"], "slopes", "4", 5.9, 6.1)),
-    ("What is measured here meets them at every valence, for both functions, and so it does the same bound with the l1 of the "
+    ("What is measured here meets the bound at every valence, for both functions, and so it does the same bound with the l1 of the "
      "other schemes.", lambda page: all(is_met(page, name) for name in SURFACES)),
     ("is not met by interpolation of a function that is smooth in the plane: 2.90 at 7 triangles.",
      lambda page: pages.column(page, "Loop", "order in L2")["7"] == "2.90"),
-    ("The largest error has order 2 and less for 7 and more triangles of Loop, and 5 and more quads of Catmull-Clark and 4-8,",
+    ("The largest error has order 2 and less for 7 and more triangles of Loop, and 5 and more quads of Catmull-Clark and 4-8.",
      lambda page: all(value <= 2 for title, first in (("Loop", 7), ("Catmull-Clark", 5), ("4-8", 5))
                       for key, value in pages.numbers(page, title, "order").items() if key >= first)),
-    ("Most of all this is so for midedge: order 0.2 in a face of 12.",
+    ("Midedge is the worst: order 0.2 in a face of 12.",
      lambda page: between(page, ["Midedge"], "order", ["12"], .15, .25)
      and all(pages.numbers(page, name, "order")[12] > .25 for name in SURFACES if name != "Midedge")),
     ("Around extraordinary edges and vertices the L2 error has order 2.5 to 3.9, the largest one 1.4 to 3.2.",

@@ -30,44 +30,56 @@ SOLIDS = {"Box spline": BOX_SPLINE, "Tet/oct": TET_OCT}
 INSIDE = (3, 4, 5, 6, 7, 8, 10, 12, 16, 20)
 SECTORS = (3, 4, 5, 6, 7, 8, 10, 12)
 ALL = LEVELS + jumps.DEEP
+SHOWN = [str(k) for k in (3, 4, 5, 6, 7, 8, 11, 20)]  # of faces, valences and tetrahedra
 COLUMNS = [f"level {level}" for level in ALL] + ["rate", "expected", "off", "half in", "8 below 6", "64 below 32"]
+HIDDEN = [f"level {level}" for level in ALL if level not in (8, 64)] + ["off", "8 below 6", "64 below 32"]
 
 TEXT = f"""
-How first derivatives jump where eigenvalues say that they may. Positions and one value at each point are random around
-a vertex, an edge or a face. Cells there on a fine level each have a gradient of the value by position; the jump is the
-largest difference of two of these gradients, as a part of the largest gradient. Where the limit is C^1 it falls to 0.
-*Expected* is derived: the ratio of the first eigenvalue behind the tangents to the last of the tangents, of what a step
-does to the points that these cells depend on. A tangent along a boundary or crease has 1/2. An expected rate of 1 and
-more means that the condition fails. *Rate* is measured: the factor of the jump for each level, between the two deepest
-levels of the table, one twice the other, that rounding leaves alone. *Off* is the largest difference of both, and *half
-in* tells how many levels halve a jump at the expected rate.
+Where eigenvalues promise a smooth limit, do first derivatives of fine meshes agree? This page measures how far they jump
+on each level. In short: where the condition holds the jumps fall, as fast as the eigenvalues say.
 
-All of it is made {SEEDS} times, with other random numbers, and jumps and rates are medians if nothing else is said.
-Columns such as *8 below 6* count how many of these have less on level 8 than on 6, of those whose eigenvalues and
-characteristic map are those of a smooth limit (the condition holds; in solids the map, which vtkSubdivisionSmoothness
-samples, is regular and injective). Surfaces are meshes on all levels, of which only what is near is kept on the way.
-Levels of **solids** are powers of the matrix of one step that the filter makes. They are compared with meshes: of level
-8, of which only two rings are kept on the way, around one vertex of each valence and along edges that all mark; else
-along edges of level {solid_jumps.WHOLE}, whole.
+**What is measured.** Positions, and one value at each point, are random around a vertex, an edge or a face. Each cell there,
+on a fine level, has a gradient: of the value by position. The *jump* is the largest difference of two of these gradients, as a
+part of the largest gradient. It falls to 0 where the limit is C^1.
 
-**What it shows.** Inside, the rate is that of the eigenvalues, off by 0.01 at most. Where an eigenvalue behind the
-tangents has fewer eigenvectors than it should, the jump falls as a power of the level times this: Butterfly at 6,
-midedge at 6, and Doo-Sabin at 5 and more; the rate is larger by 0.04 at most. Up to 8 faces all {SEEDS} meshes of each
+- *Rate* is measured: the factor of the jump for each level, between the two deepest levels, one twice the other, that
+  rounding leaves alone.
+- *Expected* is derived, from the eigenvalues of one step on the points that these cells depend on: the first eigenvalue
+  behind the tangents, divided by the last one of the tangents. A tangent along a boundary or crease has 1/2. Where it is 1 or
+  more the condition fails.
+- *Off*, in the file, is the largest difference of the two. *Half in* is the number of levels that halve a jump at the expected
+  rate.
+- *64 below 32*, in the file: so many meshes have a smaller jump on level 64 than on level 32. *25 of 25* counts the meshes of
+  which eigenvalues and characteristic map promise a smooth limit: the condition holds, and in solids the map, which
+  vtkSubdivisionSmoothness samples, is regular and injective.
+
+Each row is made {SEEDS} times, with other random numbers. Jumps and rates are medians if nothing else is said. Of surfaces all
+levels are made, but only the part near the vertex is kept. Levels of **solids** are powers of the matrix of one step that the
+filter makes. They are compared with meshes: of level 8, of which only two rings are kept on the way, around one vertex of each
+valence and along edges that all mark; else along edges of level {solid_jumps.WHOLE}, whole.
+
+**Surfaces.** Inside, the rate is that of the eigenvalues, off by 0.01 at most. Up to 8 faces all {SEEDS} meshes of each
 scheme fall from level 6 to 8, and all of any number from 32 to 64. Around 16 and 20 faces some do not fall from level 6
-to 8 yet, as the derived rate is slow: 0.89 to 0.97, but for Butterfly and Doo-Sabin, so that 6 to 21 levels halve the
-jump. Midedge at 3 corners, where the condition fails, falls as 1 by the level only.
+to 8 yet: but for Butterfly and Doo-Sabin the derived rate is slow there, 0.89 to 0.97, so that 6 to 21 levels halve the jump.
+At boundaries, creases and corners by the rule of the survey the rate is the derived one, too, off by 0.01 at most.
 
-At boundaries, creases and corners by the rule of the survey the rate is the derived one, too, off by 0.01 at most. Only
-convex corners of 8 and more do not all fall from level 32 to 64, where it is 0.986 and more. The plain rule is that of
-*ModifiedBoundary* off. At boundaries and creases of Loop the jump of the plain rule stays from seven triangles on, and
-at six it falls as 1 by the level. Of Catmull-Clark it stays from five quads on, and falls so at four. At corners the
-plain rule fails from three faces on.
+**Solids.** Of solids whose condition and map promise it, all fall from level 32 to 64. The rate of the table is off by 0.04 at
+most around vertices, and by 0.005 along edges; single meshes are not as near on these levels. Across faces the gradients of
+both sides are the same.
 
-Of solids whose condition and map promise it, all fall from level 32 to 64. The rate of the table is off by 0.04 at most
-around vertices, and by 0.005 along edges; single meshes are not as near on these levels. Of the box spline valence 4
-and 5 do not fall, nor do edges of 8 and more that all mark, which agrees with (24). Nor do edges of 11 of tet/oct.
-Along edges of 3 of tet/oct, where [SHW] saw deformations that do not look smooth, the jump falls, but slowly: 7 levels
-halve it. Across faces the gradients of both sides are the same."""
+**Where it fails or is slow.**
+
+- Some eigenvalues behind the tangents have fewer eigenvectors than they should. The jump then falls as a power of the level
+  times the expected rate: for Butterfly at 6, midedge at 6, and Doo-Sabin at 5 and more. The rate is larger by 0.04 at most.
+- Midedge at 3 corners, where the condition fails, falls as 1 by the level only.
+- The plain rule (*ModifiedBoundary* off) at boundaries and creases: of Loop the jump stays from seven triangles on, and at six
+  it falls as 1 by the level. Of Catmull-Clark it stays from five quads on, and falls so at four. At corners the plain rule
+  fails from three faces on.
+- Only convex corners of 8 and more do not all fall from level 32 to 64, where the expected rate is 0.986 and more.
+- Of the box spline valence 4 and 5 do not fall, nor do edges of 8 and more that all mark, which agrees with (24). Edges of 11
+  of tet/oct do not fall either.
+- Along edges of 3 of tet/oct, where [SHW] saw deformations that do not look smooth, the jump falls, but slowly: 7 levels
+  halve it."""
 
 # ------------------------------------------------------------ rows
 
@@ -112,12 +124,12 @@ def both_rules(scheme, k, kind):
 
 def jump_table(title, text, key, rows, plot):
     return Table(title, text, [key] + COLUMNS, [Row(str(k), compute) for k, compute in rows], f"{plot}.png",
-                 f"{title}: jump by level, for each number.")
+                 f"{title}: jump by level, for each number.", SHOWN, HIDDEN)
 
 
 def surface_table(name, scheme):
     rows = [(k, lambda k=k: row(jumps.measure(scheme, k))) for k in INSIDE]
-    return jump_table(name, "Random heights over random plane meshes. " + TEXTS.get(name, ""), "faces", rows,
+    return jump_table(name, TEXTS.get(name, ""), "faces", rows,
                       "Jumps" + plots.plain(name))
 
 
@@ -128,13 +140,15 @@ def side_table(name, scheme, kind):
     return Table(f"{name}, {KINDS[kind]}", KIND_TEXTS[kind], columns,
                  [Row(str(k), lambda k=k: both_rules(scheme, k, kind)) for k in SECTORS],
                  f"JumpsBoundary{plots.plain(name)}.png" if drawn else "",
-                 f"{name}: jump on level 64 at boundaries, by the rule of the survey and by the plain one." if drawn else "")
+                 f"{name}: jump on level 64 at boundaries, by the rule of the survey and by the plain one." if drawn else "",
+                 ["3", "4", "5", "6", "7", "12"] if drawn else [],
+                 ["level 2", "level 8", "level 64", "off", "8 below 6", "64 below 32", "plain: level 8"])
 
 
 def vertex_table(name, scheme):
     rows = [(n, lambda n=n: row(solid_jumps.measure_vertex(scheme, n), first)) for n in (*range(4, 13), 16, 20)]
-    return jump_table(name, "Around input vertices of random tetrahedra, which are other ones each time: jumps, *rate* "
-                      "and *expected* are those of the first.", "valence", rows, "Jumps" + plots.plain(name))
+    return jump_table(name, "Around input vertices of random tetrahedra, other ones each time: jumps, *rate* and "
+                      "*expected* are those of the first mesh.", "valence", rows, "Jumps" + plots.plain(name))
 
 
 def edge_table(title, scheme, marks, last):
@@ -149,9 +163,9 @@ EDGES = {"Box spline, edges that all mark": (BOX_SPLINE, "marked", 10),
          "Box spline, edges that none marks": (BOX_SPLINE, "not marked", 10),
          "Tet/oct, edges": (TET_OCT, "tet/oct", 11)}
 FACE_TABLE = Table(
-    "Across faces", f"Of {solid_jumps.FACE_STARS} random stars of valence 8: limits and derivatives on both sides of inner "
-    "faces, by EvaluateLimit of vtkMultiDimensionalSubdivision. All points of the star are moved at random; the gradient "
-    "is that of how far the limit is moved, by position. The linear scheme, which is not C^1, shows what a jump looks like.",
+    "Across faces", f"Limits and derivatives on both sides of inner faces, in {solid_jumps.FACE_STARS} random stars of "
+    "valence 8, by EvaluateLimit of vtkMultiDimensionalSubdivision. All points of the star are moved at random. The value is "
+    "how far the limit moves. The linear scheme, which is not C^1, shows how large a jump would be.",
     ["scheme", "places", "largest jump", "largest gap of positions"],
     [Row(name, lambda scheme=scheme: solid_jumps.face_jumps(scheme)) for name, scheme in (
         ("box spline", BOX_SPLINE), ("tet/oct", TET_OCT), ("linear", vtkMultiDimensionalSubdivision.LINEAR))])
@@ -218,13 +232,13 @@ def stays(page, scheme, tie):
 CLAIMS = [
     ("Inside, the rate is that of the eigenvalues, off by 0.01 at most.",
      lambda page: all(off <= .01 for place, off in differences(page, SURFACES).items() if place not in WITHOUT_VECTOR)),
-    ("the jump falls as a power of the level times this: Butterfly at 6, midedge at 6, and Doo-Sabin at 5 and more; the rate "
-     "is larger by 0.04 at most.",
+    ("The jump then falls as a power of the level times the expected rate: for Butterfly at 6, midedge at 6, and Doo-Sabin at "
+     "5 and more. The rate is larger by 0.04 at most.",
      lambda page: all(.01 < differences(page, SURFACES)[place] <= .04 for place in WITHOUT_VECTOR)),
     ("Up to 8 faces all 25 meshes of each scheme fall from level 6 to 8, and all of any number from 32 to 64.",
      lambda page: falls(page, SURFACES, "8 below 6", range(9)) and falls(page, SURFACES, "64 below 32")),
-    ("Around 16 and 20 faces some do not fall from level 6 to 8 yet, as the derived rate is slow: 0.89 to 0.97, but for "
-     "Butterfly and Doo-Sabin, so that 6 to 21 levels halve the jump.",
+    ("Around 16 and 20 faces some do not fall from level 6 to 8 yet: but for Butterfly and Doo-Sabin the derived rate is slow "
+     "there, 0.89 to 0.97, so that 6 to 21 levels halve the jump.",
      lambda page: all(.885 < pages.numbers(page, title, "expected")[k] < .97 and 5.5 < pages.numbers(
          page, title, "half in")[k] < 21.5 for title in SURFACES if title not in ("Butterfly", "Doo-Sabin") for k in (16, 20))
      and len(some_rise(page, SURFACES, "8 below 6")) > 8),
@@ -233,12 +247,12 @@ CLAIMS = [
      and 1.8 < pages.numbers(page, "Midedge", "level 32")[3] / pages.numbers(page, "Midedge", "level 64")[3] < 2.1),
     ("At boundaries, creases and corners by the rule of the survey the rate is the derived one, too, off by 0.01 at most.",
      lambda page: all(off <= .01 for off in differences(page, SECTOR_TITLES).values())),
-    ("Only convex corners of 8 and more do not all fall from level 32 to 64, where it is 0.986 and more.",
+    ("Only convex corners of 8 and more do not all fall from level 32 to 64, where the expected rate is 0.986 and more.",
      lambda page: {title.partition(", ")[2] for title, _ in some_rise(page, SECTOR_TITLES, "64 below 32")} == {"convex corners"}
      and all(k >= 8 and pages.numbers(page, title, "expected")[k] >= .986
              for title, k in some_rise(page, SECTOR_TITLES, "64 below 32"))),
-    ("At boundaries and creases of Loop the jump of the plain rule stays from seven triangles on, and at six it falls as 1 by "
-     "the level.", lambda page: stays(page, "Loop", 6)),
+    ("at boundaries and creases: of Loop the jump stays from seven triangles on, and at six it falls as 1 by the level.",
+     lambda page: stays(page, "Loop", 6)),
     ("Of Catmull-Clark it stays from five quads on, and falls so at four.", lambda page: stays(page, "Catmull-Clark", 4)),
     ("At corners the plain rule fails from three faces on.",
      lambda page: all(least(page, [f"{name}, {kind}" for name in SIDES], "plain: expected", SECTORS) >= 1
@@ -252,7 +266,7 @@ CLAIMS = [
      lambda page: [pages.column(page, "Box spline", "64 below 32")[key] for key in "45"] == 2 * ["0 of 0"]
      and all(pages.numbers(page, "Box spline", "level 64")[key] > 1 for key in (4, 5))
      and [k for k, rate in pages.numbers(page, [*EDGES][0], "rate").items() if rate > .99] == [8, 9, 10]),
-    ("Nor do edges of 11 of tet/oct.", lambda page: pages.numbers(page, "Tet/oct, edges", "rate")[11] > 1),
+    ("Edges of 11 of tet/oct do not fall either.", lambda page: pages.numbers(page, "Tet/oct, edges", "rate")[11] > 1),
     ("Along edges of 3 of tet/oct, where [SHW] saw deformations that do not look smooth, the jump falls, but slowly: 7 levels "
      "halve it.",
      lambda page: round(pages.numbers(page, "Tet/oct, edges", "half in")[3]) == 7

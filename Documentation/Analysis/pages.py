@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tables whose rows can be computed one by one, the pages that hold them, and the comparison of both."""
+"""Tables whose rows can be computed one by one, the files that hold them, the pages that show some of them, and the comparison
+of files with what is computed."""
 
+import csv
 import dataclasses
 import pathlib
 import re
@@ -25,6 +27,8 @@ class Table:
     rows: list
     plot: str = ""  # name of a file beside the page, which the page's `draw` makes
     caption: str = ""
+    keys: list = None  # rows that the page shows, all if there is no list; without a row it leaves the table to the file
+    hidden: list = dataclasses.field(default_factory=list)  # columns that the page does not show
 
 
 @dataclasses.dataclass
@@ -51,34 +55,73 @@ def line(cells):
     return "| " + " | ".join(cells) + " |"
 
 
+def file_of(page, ending):
+    return FOLDER / f"{page.name}.{ending}"
+
+
 def write(page):
-    """Computes and writes a page; its tables as lists of lists of texts, by title."""
-    made, lines = {}, [f"# {page.title}", "", page.text.strip(), ""]
+    """Computes the rows of a page, and writes the file that has them and the page that shows some."""
+    made = {}
     for table in page.tables:
         print(f"{page.name}: {table.title}", flush=True)
-        rows = made[table.title] = [[row.key] + row.compute() for row in table.rows]
-        lines += [f"## {table.title}", "", table.text.strip(), "", line(table.columns), line(["---"] * len(table.columns))]
-        lines += [line(row) for row in rows] + [""]
-        if table.plot:
-            lines += [f"![{table.caption}]({table.plot})", "", f"*{table.caption}*", ""]
-    (FOLDER / f"{page.name}.md").write_text("\n".join(lines), encoding="utf-8")
+        made[table.title] = [[row.key] + row.compute() for row in table.rows]
+    with open(file_of(page, "csv"), "w", encoding="utf-8", newline="") as file:
+        for table in page.tables:
+            csv.writer(file, lineterminator="\n").writerows(
+                [table.title, *cells] for cells in [table.columns, *made[table.title]])
+    write_text(page)
     if page.draw:
         page.draw(made)
 
 
+def write_text(page):
+    file_of(page, "md").write_text(render(page, read(page)), encoding="utf-8")
+
+
+def lines_of(table, rows):
+    """The lines of a table of a page: rows and columns that it shows."""
+    columns = [i for i, name in enumerate(table.columns) if name not in table.hidden]
+    cells = [row for row in rows if table.keys is None or row[0] in table.keys]
+    return [line([row[i] for i in columns]) for row in [table.columns, ["---"] * len(table.columns), *cells]]
+
+
+def picture(table):
+    return [f"![{table.title}]({table.plot})", "", f"*{table.caption}*", ""]
+
+
+def render(page, made):
+    """The text of a page, which begins with its first plot; rows of tables as lists of lists of texts, by title."""
+    first = next((table for table in page.tables if table.plot), None)
+    lines = [f"# {page.title}", "", *(picture(first) if first else []), page.text.strip(), ""]
+    if any(table.keys is not None or table.hidden for table in page.tables):
+        count = sum(map(len, made.values()))
+        left = "; ".join(table.title for table in page.tables if table.keys == [])
+        lines += [f"Tables show some rows and columns; [{page.name}.csv]({page.name}.csv) has all {count} rows."
+                  + (f" It alone has the tables of: {left}." if left else ""), ""]
+    for table in (table for table in page.tables if table.keys != []):
+        lines += [f"## {table.title}", ""] + ([table.text.strip(), ""] if table.text else [])
+        lines += [*lines_of(table, made[table.title]), ""]
+        if table.plot and table is not first:
+            lines += picture(table)
+    return "\n".join(lines)
+
+
+def read_file(page):
+    """The tables of the file of a page as it stands, by title; columns come first."""
+    found = {}
+    with open(file_of(page, "csv"), encoding="utf-8", newline="") as file:
+        for title, *cells in csv.reader(file):
+            found.setdefault(title, []).append(cells)
+    return found
+
+
 def read(page):
-    """The tables of a page as it stands, by title."""
-    found, title = {}, ""
-    for text in (FOLDER / f"{page.name}.md").read_text(encoding="utf-8").splitlines():
-        if text.startswith("## "):
-            title = text[3:]
-        elif text.startswith("| ") and not text.startswith("| ---"):
-            found.setdefault(title, []).append(text[2:-2].split(" | "))
-    return {title: rows[1:] for title, rows in found.items()}
+    """The rows of the file of a page, by the titles of their tables."""
+    return {title: rows for title, (_, *rows) in read_file(page).items()}
 
 
 def column(page, title, name):
-    """A column of a table of a page as it stands: from keys to texts."""
+    """A column of a table in the file of a page: from keys to texts."""
     table, = (table for table in page.tables if table.title == title)
     return {row[0]: row[table.columns.index(name)] for row in read(page)[title]}
 
@@ -100,8 +143,8 @@ def is_all(text):
 
 
 def untrue_claims(page):
-    """The sentences that the page does not have, or that its tables do not show."""
-    text = " ".join((FOLDER / f"{page.name}.md").read_text(encoding="utf-8").split())
+    """The sentences that the page does not have, or that its rows do not show."""
+    text = " ".join(file_of(page, "md").read_text(encoding="utf-8").split())
     return [sentence for sentence, holds in page.claims if sentence not in text or not holds(page)]
 
 
@@ -117,19 +160,20 @@ def is_same(written, computed):
 
 
 def differences(page):
-    """What does not agree between a page and its computation, and how many rows were computed."""
+    """What does not agree between the file of a page and its computation, and how many rows were computed."""
     faults, count, written = [], 0, read(page)
-    if list(written) != [table.title for table in page.tables]:
-        return [f"{page.name}: the page has the tables {list(written)}"], 0
+    if [(title, columns) for title, (columns, *_) in read_file(page).items()] != [
+            (table.title, table.columns) for table in page.tables]:
+        return [f"{page.name}: the file has the tables {list(written)}, or columns that are other ones"], 0
     for table in page.tables:
         rows = {row[0]: row for row in written[table.title]}
         if list(rows) != [row.key for row in table.rows]:
-            faults.append(f"{page.name}, {table.title}: the page has the rows {list(rows)}")
+            faults.append(f"{page.name}, {table.title}: the file has the rows {list(rows)}")
             continue
         for row in table.rows:
             count += 1
             computed = [row.key] + row.compute()
             shown = rows[row.key]
             if len(shown) != len(computed) or not all(map(is_same, shown, computed)):
-                faults.append(f"{page.name}, {table.title}: the page has {shown}, computed was {computed}")
+                faults.append(f"{page.name}, {table.title}: the file has {shown}, computed was {computed}")
     return faults, count

@@ -19,6 +19,7 @@ MAPS = 5
 NAMES = {BOX_SPLINE: "BOX_SPLINE", TET_OCT: "TET_OCT"}
 VALUES = ["l1", "l2", "l3", "l4"]
 MAP = filter_maps.COLUMNS
+SHOWN = ["4", "5", "6", "7", "8", "11", "12", "20", "40"]  # of valences
 
 
 def texts(values):
@@ -107,34 +108,34 @@ def random_table(scheme, text, plot):
     columns = ["valence", "(24) holds", "least l3 - l4", "largest l3 - l4", "largest l1", "regular and injective"]
     return Table("Around vertices, random", text, columns,
                  [Row(str(n), lambda n=n: random_vertices(scheme, n)) for n in RANDOM],
-                 plot, "Largest and least l3 - l4 by valence; the condition holds above zero.")
+                 plot, "Largest and least l3 - l4 by valence; the condition holds above zero.", SHOWN)
 
 
 def triangulation_table(scheme, text):
     names = [f"{valence}.{chr(ord('a') + i)}" for valence, count in COUNTS.items() for i in range(count)]
     return Table("Around vertices, each triangulation", text,
                  ["valence and case", "degrees in the link"] + VALUES + ["(24)"] + MAP,
-                 [Row(name, lambda name=name: triangulation(scheme, name)) for name in names])
+                 [Row(name, lambda name=name: triangulation(scheme, name)) for name in names],
+                 keys=[name for name in names if name[0] < "8"] + ["8.a", "8.g", "8.n"], hidden=["samples"])
 
 
 LATTICE = Table("The lattice", "Inside a control tetrahedron, where the mesh is a lattice from the first levels on: "
-                "1/2 three times and 1/4 six times, as of a C^2 scheme.",
+                "1/2 three times and 1/4 six times, as a C^2 scheme has them.",
                 ["scheme", "l1", "l3", "l4", "l9", "l10"],
                 [Row("box spline", lambda: lattice(BOX_SPLINE)), Row("tet/oct", lambda: lattice(TET_OCT))])
 
 RADIUS = 0.1617  # what products of pieces show it to be below
-PRODUCTS = f"""The test of [SHW], appendix A. Two triangles of the face, of a tetrahedron and an octahedron on each side, have four
-quarters of the same kind. For each there is a matrix of what a step does to the 40 vertices of all solids that touch the
-two. All four keep a space of ten functions with the values 1, 1/2 three times and 1/4 six times, and of its quadratic
-part as many are odd in the direction across the face as of polynomials. What the matrices do to the rest has to shrink
-faster than 1/4 for each step in all products. Of all products of a length, the largest spectral radius bounds the joint one
-from below and the largest norm from above, both to the power of 1/length. The norm is that of coordinates in
-which products are short (`adapted` in `contractions.py`). *Pieces*: products are lengthened only as long as their norm is
-not below {RADIUS} to the power of their length. All end, the longest with the length that is given, so that each long product
-consists of such pieces.
+PRODUCTS = f"""The test of [SHW], appendix A. Take two triangles of the face, a tetrahedron and an octahedron on each side.
+Together they have four quarters of the same kind, and each quarter has a matrix: a step applied to the 40 vertices of all
+solids that touch the two triangles. All four matrices keep a space of ten functions with the eigenvalues 1, 1/2 three times
+and 1/4 six times; of its quadratic functions as many are odd across the face as of polynomials. On the remaining functions
+all products of the matrices have to shrink faster than by 1/4 for each step: their joint spectral radius is below 1/4.
 
-The .1367 belongs to vertices one ring farther away than the solids at one vertex of the face, whose values are in the table
-above."""
+Over all products of one length, the largest spectral radius bounds the joint one from below and the largest norm from above,
+both to the power of 1/length. The norm is taken in coordinates in which products are short (`adapted` in `contractions.py`).
+*Pieces*: a product is lengthened only while its norm is not below {RADIUS} to the power of its length. All products end, the
+longest with the length in the table, so that each long product consists of such pieces. The .1367 belongs to vertices one ring
+farther away than the solids at one vertex of the face, whose values are in the table above."""
 
 
 def products(length):
@@ -148,10 +149,10 @@ def pieces():
 
 
 FACES = VALUES + ["(24)", "l5", "l10", "stars", "spread"] + MAP
-FACE_TEXT = """Around a vertex inside the face that two control tetrahedra share, of twelve random pairs; the spread is the
-largest difference between the stars."""
-VERTEX_TEXT = f"""Around input vertices in the middle of {SAMPLES} random stars for each valence: random directions and lengths, all neighbours on their
-convex hull, and the vertex well inside. Maps are sampled in the first {MAPS} stars, where (24) holds."""
+FACE_TEXT = """Around a vertex inside the face of two control tetrahedra, in twelve random pairs. The spread is the largest
+difference between the stars."""
+VERTEX_TEXT = f"""Around input vertices in {SAMPLES} random stars for each valence: random directions and lengths, all neighbours on
+their convex hull, the vertex well inside. Maps are sampled in the first {MAPS} stars, where (24) holds."""
 
 
 def without_map(page):
@@ -207,14 +208,15 @@ TET_OCT_CLAIMS = [
 
 def make_pages():
     box = Page("BoxSpline", "Spectra of the box spline for solids", """
-Eigenvalues of what one step does around a vertex, along an edge and across a face of control tetrahedra, read off what the
-filter makes: see [how](README.md). Condition (24) is 1 > l1 >= l2 >= l3 > l4. It is the paper's, which calls it empirical.
+Is the limit of the box spline smooth around a vertex, along an edge and across a face of control tetrahedra? The tables have
+the eigenvalues of one step there, read off what the filter makes: see [how](README.md). Condition (24) is 1 > l1 >= l2 >= l3 >
+l4. The paper states it, and calls it empirical.
 
 **Different from the paper.** [CQ] says that (24) holds but for very small valences, 4 in particular. Here it fails
 for every star of valence 4 and of 5, and for some of 7. [CQ] says that along edges C^1 can be proved as for surfaces.
 Here (24) fails along edges of 8 and more tetrahedra, if all of them mark the edge. [CQ] does not treat faces. Where two
-tetrahedra mark different edges of their face l1 is .5121, and l4 is larger than the square of l1, so that the object
-is not C^2 there.
+tetrahedra mark different edges of their face l1 is .5121, and l4 is larger than the square of l1. So the object is not C^2
+there.
 
 **The condition is not enough.** Of the triangulations with 6 to 8 vertices, 6.a, 7.a, 7.c, 8.a, 8.b, 8.c, 8.d and 8.g have a
 characteristic map that is not regular or not injective, although (24) holds. Most have .2500 as l4; 6.a has it as l3. Of
@@ -223,36 +225,39 @@ the random stars some of valence 6 have such a map, and none of 8 and more.
         LATTICE,
         Table("Across faces", FACE_TEXT, ["marks"] + FACES,
               [Row("the same edge of the face", lambda: face(BOX_SPLINE, True)),
-               Row("different edges", lambda: face(BOX_SPLINE, False))]),
+               Row("different edges", lambda: face(BOX_SPLINE, False))], hidden=["samples"]),
         Table("Along edges that all tetrahedra mark", "Around the middle of a long edge of *n* tetrahedra.",
-              ["n"] + VALUES + ["(24)"] + MAP, [Row(str(n), lambda n=n: edge(BOX_SPLINE, n, 3.)) for n in range(3, 11)]),
+              ["n"] + VALUES + ["(24)"] + MAP, [Row(str(n), lambda n=n: edge(BOX_SPLINE, n, 3.)) for n in range(3, 11)],
+              hidden=["samples"]),
         Table("Along edges that no tetrahedron marks", "The same for a short edge.",
-              ["n"] + VALUES + ["(24)"] + MAP, [Row(str(n), lambda n=n: edge(BOX_SPLINE, n, .2)) for n in range(3, 11)]),
+              ["n"] + VALUES + ["(24)"] + MAP, [Row(str(n), lambda n=n: edge(BOX_SPLINE, n, .2)) for n in range(3, 11)],
+              hidden=["samples"]),
         triangulation_table(BOX_SPLINE, "Each triangulation of the sphere with 4 to 8 vertices as the link of the vertex, "
                             "in one position. Marks of edges depend on the position, and eigenvalues on the marks."),
         random_table(BOX_SPLINE, VERTEX_TEXT, "BoxSpline.png")],
         lambda made: plots.gaps("BoxSpline", made["Around vertices, random"]), BOX_CLAIMS)
     tet_oct = Page("TetOct", "Spectra of the tet/oct scheme", """
-As for the [box spline](BoxSpline.md). The condition of the paper along edges and around vertices is that l1, l2 and l3 are
-larger than all others, too.
+The same as for the [box spline](BoxSpline.md), whose page has the lattice of both schemes. The paper [SHW] has the same
+condition along edges and around vertices: l1, l2 and l3 are larger than all others.
 
 **Different from the paper.** Along an edge of 3 tetrahedra the eigenvalues meet the condition; the paper found no proof there,
-and deformations that do not look smooth. The paper looked at 3 to 10 tetrahedra along an edge; from 11 on the condition
+and saw deformations that do not look smooth. The paper looked at 3 to 10 tetrahedra along an edge; from 11 on the condition
 fails. Across faces [SHW] prints .238 as the joint spectral radius, which is below 1/4, as C^2 needs. Products of several
 steps show that the radius is smaller: it is between .1367 and .1617, so that the limit is C^2 across faces.
 [SHW] reports that all stars of 4 to 10 tetrahedra or neighbours pass, with their characteristic maps. Here the map of the
 triangulation 8.g folds, although (24) holds; all other triangulations of up to 8 vertices pass. Of the random stars one of
 valence 11 has a map that is not regular or not injective.
 """, [
-        LATTICE,
-        Table("Across faces", FACE_TEXT + " This scheme has no marks; the rows are the same pairs.", ["marks"] + FACES,
+        Table("Across faces", FACE_TEXT + " This scheme has no marks; the rows are the pairs of the other page.",
+              ["marks"] + FACES,
               [Row("the same edge of the face", lambda: face(TET_OCT, True)),
-               Row("different edges", lambda: face(TET_OCT, False))]),
+               Row("different edges", lambda: face(TET_OCT, False))], hidden=["samples"]),
         Table("Products across faces", PRODUCTS, ["length", "products", "lower bound", "upper bound"],
               [Row(str(length), lambda length=length: products(length)) for length in range(1, 6)] +
               [Row("pieces", pieces)]),
         Table("Along edges", "Around the middle of an edge of *n* tetrahedra. The pair belongs to the plane across the edge.",
-              ["n"] + VALUES + ["(24)", "pair"] + MAP, [Row(str(n), lambda n=n: tet_oct_edge(n)) for n in range(3, 12)]),
+              ["n"] + VALUES + ["(24)", "pair"] + MAP, [Row(str(n), lambda n=n: tet_oct_edge(n)) for n in range(3, 12)],
+              hidden=["samples"]),
         triangulation_table(TET_OCT, "Each triangulation of the sphere with 4 to 8 vertices as the link of the vertex. "
                             "Positions do not matter."),
         random_table(TET_OCT, VERTEX_TEXT, "TetOct.png")],

@@ -18,6 +18,7 @@ BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
 DOO_SABIN = vtkSurfaceSubdivision.DOO_SABIN
 MIDEDGE = vtkSurfaceSubdivision.MIDEDGE
 MAP = ["regular", "injective", "triangles sampled"]
+SHOWN = [str(k) for k in (1, 2, 3, 4, 5, 6, 7, 8, 12, 20, 50)]  # of rows up to 50
 
 
 def loop_value(k):
@@ -62,11 +63,11 @@ SPECTRUM = "Moduli of l1 and l3 by the number of faces; the condition holds wher
 
 def interior_table(scheme, closed_form, name):
     return Table(
-        "Inside", f"Vertices with *k* faces around them. The closed form is that of l1; the condition is "
-        "1 > l1 >= l2 > |l3|.",
+        "Inside", "Vertices with *k* faces around them. The condition is 1 > l1 >= l2 > |l3|. The file has the closed form "
+        "of l1, too.",
         ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
         [Row(str(k), lambda k=k: interior(scheme, k, closed_form)) for k in range(3, 51)],
-        f"{name}.png", SPECTRUM)
+        f"{name}.png", SPECTRUM, SHOWN, ["closed form", "triangles sampled"])
 
 
 def sector(scheme, k, kind, **options):
@@ -79,9 +80,10 @@ def sector(scheme, k, kind, **options):
     return moduli(values) + [yes(smooth), yes(regular), yes(injective), str(count)]
 
 
-def sector_table(scheme, kind, title, text, first, **options):
+def sector_table(scheme, kind, title, text, first, keys, **options):
     return Table(title, text, ["k", "l1", "l2", "l3", "condition"] + MAP,
-                 [Row(str(k), lambda k=k: sector(scheme, k, kind, **options)) for k in range(first, 51)])
+                 [Row(str(k), lambda k=k: sector(scheme, k, kind, **options)) for k in range(first, 51)],
+                 keys=keys, hidden=["triangles sampled"])
 
 
 def crease(scheme, k):
@@ -95,26 +97,27 @@ def crease(scheme, k):
 
 def crease_table(scheme):
     return Table("Creases", "*k* faces on each side of a crease. One eigenvalue 1/2 belongs to the curve and one to each "
-                 "side of it; the condition is that all others are smaller. Each side is then a boundary with *k* faces, "
-                 "whose characteristic map is in the table of boundaries: the last column is the largest difference "
-                 "between the leading eigenvalues and those of two such boundaries.",
+                 "side of it; the condition is that all others are smaller. Each side then behaves as a boundary with *k* faces, "
+                 "whose characteristic map is in the table of boundaries. The last column shows it: the leading eigenvalues "
+                 "differ by so much from the eigenvalues of two such boundaries.",
                  ["k", "l1", "l2", "l3", "l4", "condition", "off two boundaries"],
-                 [Row(str(k), lambda k=k: crease(scheme, k)) for k in range(2, 51)])
+                 [Row(str(k), lambda k=k: crease(scheme, k)) for k in range(2, 51)], keys=["2", "8", "50"])
 
 
-SECTORS = """Vertices on a boundary, with *k* faces, rule of the survey (*ModifiedBoundary* on). One of l1, l2 is that of
-the curve, 1/2; the condition is that both are larger than |l3|."""
+SECTORS = """Vertices on a boundary, with *k* faces, by the rule of the survey (*ModifiedBoundary* on). One of l1 and l2 belongs
+to the curve and is 1/2. The condition is that both are larger than |l3|."""
 
 
 def sectors(scheme):
     return [
-        sector_table(scheme, "boundary", "Boundaries", SECTORS, 2),
+        sector_table(scheme, "boundary", "Boundaries", SECTORS, 2, ["2", "3", "4", "6", "8", "20", "50"]),
         sector_table(scheme, "boundary", "Boundaries by the plain rule", "The same with *ModifiedBoundary* off. Where the "
-                     "condition fails, there is no characteristic map to sample.", 2, ModifiedBoundary=False),
+                     "condition fails there is no characteristic map.", 2, SHOWN, ModifiedBoundary=False),
         crease_table(scheme),
-        sector_table(scheme, "convex", "Convex corners", "Corners of 90 degrees with *k* faces.", 1),
-        sector_table(scheme, "concave", "Concave corners", "Corners of 270 degrees with *k* faces; flatness lowers l3 to 1/4.",
-                     2)]
+        sector_table(scheme, "convex", "Convex corners", "Corners of 90 degrees with *k* faces.", 1,
+                     ["1", "2", "4", "8", "50"]),
+        sector_table(scheme, "concave", "Concave corners", "Corners of 270 degrees with *k* faces. Flatness lowers l3 to 1/4.",
+                     2, ["2", "50"])]
 
 
 # ------------------------------------------------------------ schemes whose steps turn the mesh, and dual schemes
@@ -193,17 +196,17 @@ def dual(scheme, k, steps, expected):
         number(expected(k)), yes(is_interior(values[:3] + [around]))] + dual_map(scheme, k)
 
 
-DIFFERENCES = """Why sqrt(3) is C^2 on regular meshes, by the appendix of [K]. *S* is what steps do to the points up to some
-rings away, *J* takes their third differences along two directions of edges, and *J S J^+* (*J^+* is the pseudo-inverse)
-takes third differences to those of the finer mesh, as *S* keeps quadratic polynomials. Two steps divide lengths by 3, so
-that its norm (largest singular value) has to be below 1 when multiplied by 9 for each two steps. Two steps do not show it,
-four do: [K] prints 0.78. The spectral radius, for two steps, is below what any norm shows."""
-AROUND = """The matrix is that of the corners of one face. Second derivatives around it have 1/4, whatever *k* is; the
-condition takes the larger of this and l3."""
-OTHERS = """Schemes whose steps turn the mesh (sqrt(3), 4-8), where eigenvalues are those of **two** steps, and dual
-schemes (Doo-Sabin, midedge), where what repeats is a face. Characteristic maps are those that
-vtkSubdivisionSmoothness samples, at so many triangles or quads. All maps of sqrt(3) and 4-8 are regular and injective
-where the condition holds. The numbers are read off what the filter makes: see [how](README.md)."""
+DIFFERENCES = """Why sqrt(3) is C^2 on regular meshes, by the appendix of [K]. The matrix *S* of some steps acts on the points
+of some rings; *J* takes third differences of these points along two directions of edges. *S* keeps quadratic polynomials, so
+that *J S J^+* takes third differences of a mesh to third differences of the finer one (*J^+* is the pseudo-inverse). Two steps
+divide lengths by 3. So the norm of this matrix (its largest singular value), times 9 for each two steps, has to be below 1.
+Two steps do not show it, four do: [K] prints 0.78. No norm can be below the spectral radius, which is for two steps."""
+AROUND = """The matrix is that of the corners of one face. Second derivatives around the face have the eigenvalue 1/4, whatever
+*k* is; the condition takes the larger one of 1/4 and l3."""
+OTHERS = """Two schemes whose steps turn the mesh, sqrt(3) and 4-8: eigenvalues belong to **two** steps. Two dual schemes,
+Doo-Sabin and midedge: a face repeats from step to step, not a vertex. vtkSubdivisionSmoothness samples the characteristic
+maps. All maps of sqrt(3) and 4-8 are regular and injective where the condition holds. The numbers are read off what the filter
+makes: see [how](README.md)."""
 
 
 def is_up_to(page, title, last):
@@ -226,9 +229,9 @@ def is_tie(page, k):
 
 
 PLAIN_CLAIMS = {
-    "Loop": ("The plain rule meets it for up to five triangles; six are a tie at 1/2, and from seven on it is not C^1.",
+    "Loop": ("The plain rule meets it for up to five triangles. Six are a tie at 1/2, and from seven on the limit is not C^1.",
              lambda page: is_up_to(page, PLAIN, 5) and is_tie(page, 6)),
-    "CatmullClark": ("The plain rule meets it for up to three quads; four are a tie at 1/2, and from five on it is not C^1.",
+    "CatmullClark": ("The plain rule meets it for up to three quads. Four are a tie at 1/2, and from five on the limit is not C^1.",
                      lambda page: is_up_to(page, PLAIN, 3) and is_tie(page, 4)),
 }
 INSIDE_CLAIM = ("Inside, the condition holds and all maps are regular and injective.",
@@ -260,47 +263,48 @@ def draw_others(made):
 
 def make_pages():
     rows = range(3, 13)
-    loop = Page("Loop", "Spectra of Loop's scheme", "Eigenvalues of what one step does around a vertex, with the vertex "
-                "weights of the filter (Mathematics 5, 12), read off what the filter makes: see [how](README.md). " +
-                INSIDE_CLAIM[0] +
-                f" {SURVEY_CLAIM[0]} " + PLAIN_CLAIMS["Loop"][0],
+    loop = Page("Loop", "Spectra of Loop's scheme", "Is a surface of Loop's scheme smooth around a vertex of *k* "
+                f"triangles? {INSIDE_CLAIM[0]} {SURVEY_CLAIM[0]} {PLAIN_CLAIMS['Loop'][0]}\n\n"
+                "The numbers are eigenvalues of one step around a vertex, with the vertex weights of the filter (Mathematics 5, "
+                "12), read off what the filter makes: see [how](README.md).",
                 [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]),
                 [INSIDE_CLAIM, SURVEY_CLAIM, PLAIN_CLAIMS["Loop"]])
-    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "As for [Loop](Loop.md), for quads. " +
-                         INSIDE_CLAIM[0] + f" {SURVEY_CLAIM[0]} " +
-                         PLAIN_CLAIMS["CatmullClark"][0],
+    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "The same as for [Loop](Loop.md), for quads. "
+                         f"{INSIDE_CLAIM[0]} {SURVEY_CLAIM[0]} {PLAIN_CLAIMS['CatmullClark'][0]}",
                          [interior_table(CATMULL_CLARK, catmull_clark_value, "CatmullClark")] + sectors(CATMULL_CLARK),
                          lambda made: plots.spectrum("CatmullClark", made["Inside"]),
                          [INSIDE_CLAIM, SURVEY_CLAIM, PLAIN_CLAIMS["CatmullClark"]])
-    butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme", "As for [Loop](Loop.md). The survey's rules "
-                     "are made so that l1 = l2 = 1/2 and l3 = 1/4 at every valence.",
+    butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme", "The same as for [Loop](Loop.md). The survey's "
+                     "rules are made so that l1 = l2 = 1/2 and l3 = 1/4 at every valence.",
                      [interior_table(BUTTERFLY, butterfly_value, "Butterfly"), *sectors(BUTTERFLY)[:1]],
                      lambda made: plots.spectrum("Butterfly", made["Inside"]))
     others = Page("OtherSurfaces", "Spectra of the other surface schemes", OTHERS, [
-        Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, has (2/3 - a)^2 and 4/9 cos^2(pi m/k) for "
-              "m = 1 to k - 1; the column has the largest difference of all eigenvalues from these.",
+        Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, gives the eigenvalues (2/3 - a)^2 and "
+              "4/9 cos^2(pi m/k) for m = 1 to k - 1. No eigenvalue differs from them by more than the column says.",
               ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows], *spectrum_plot("sqrt(3) inside")),
+              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows], *spectrum_plot("sqrt(3) inside"), SHOWN, ["samples"]),
         Table("sqrt(3), third differences", DIFFERENCES,
               ["steps", "rings", "points", "differences", "norm", "spectral radius", "below 1", "the paper"],
               [Row("2", lambda: sqrt_three_differences(3, 2, "-")), Row("4", lambda: sqrt_three_differences(6, 4, "0.78"))]),
-        Table("sqrt(3) at boundaries", "Two steps; the value of the curve is 1/3. Kobbelt states no condition at "
+        Table("sqrt(3) at boundaries", "Two steps; the eigenvalue of the curve is 1/3. Kobbelt states no condition at "
               "boundaries; it holds for up to five triangles.",
               ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)]),
+              [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)], keys=SHOWN, hidden=["samples"]),
         Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: four_eight(k)) for k in rows], *spectrum_plot("4-8 inside")),
+              [Row(str(k), lambda k=k: four_eight(k)) for k in rows], *spectrum_plot("4-8 inside"), SHOWN, ["samples"]),
         Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
               ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)]),
+              [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)], keys=SHOWN, hidden=["samples"]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(DOO_SABIN, k, 1,
-                                            lambda _: 1 / 2)) for k in range(3, 51)], *spectrum_plot("Doo-Sabin")),
+                                            lambda _: 1 / 2)) for k in range(3, 51)], *spectrum_plot("Doo-Sabin"),
+              SHOWN, ["closed form", "triangles sampled"]),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
               "and the condition fails. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(MIDEDGE, k, 2,
-                                            midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"))],
+                                            midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"),
+              SHOWN, ["closed form", "triangles sampled"])],
         draw_others, OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]
