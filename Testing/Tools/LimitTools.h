@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file LimitTools.h
- * Rule options for any mesh, by name, and semi-sharp creases of a mesh on all levels.
+ * Rule options for any mesh, by name, semi-sharp creases of a mesh on all levels, and LocalLimit as
+ * one operator.
  */
 #ifndef SubdivisionObjects_LimitTools_h
 #define SubdivisionObjects_LimitTools_h
 
 #include "CoreZoo.h"
 
+#include "Core/Memory/Ids.h"
 #include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Scheme/SemiSharp.h"
 
 namespace coretest
@@ -146,6 +149,66 @@ double GetWeight(const SparseRows<Id>& rows, vtkIdType row, vtkIdType column)
     sum += rows.Columns[k] == column ? rows.Weights[k] : 0.;
   }
   return sum;
+}
+
+/// The rows of a LocalLimit over the control vertices, each with one entry for each of these.
+template <typename Id>
+SparseRows<Id> BuildRows(const LocalLimit<Id>& limit)
+{
+  std::vector<SparseRows<Id>> parts;
+  SparseRows<Id> product;
+  const SparseRows<Id>* before = nullptr; // the rows of the level before over control values
+  for (int level = 0; level < limit.GetNumberOfLevels(); ++level)
+  {
+    const SparseRows<Id>& own = limit.GetRowsOfLevel(level);
+    if (!limit.IsFirst(level))
+    {
+      product = Multiply(own, *before);
+    }
+    before = limit.IsFirst(level) ? &own : &product;
+    parts.push_back(Multiply(limit.GetLimitsOnLevel(level), *before));
+  }
+  SparseRows<Id> rows;
+  rows.NumberOfColumns = limit.GetNumberOfColumns();
+  rows.Offsets = Buffer<Id>(limit.GetNumberOfRows() + 1, 0);
+  const auto forRows = [&](const auto& act)
+  {
+    for (int level = 0; level < limit.GetNumberOfLevels(); ++level)
+    {
+      const Id* offset = parts[level].Offsets.data();
+      for (const Id vertex : limit.GetVertices(level))
+      {
+        act(vertex, parts[level], offset[0], offset[1]);
+        ++offset;
+      }
+    }
+  };
+  forRows(
+    [&](Id row, const SparseRows<Id>&, Id begin, Id end) { rows.Offsets[row] = end - begin; });
+  CountsToOffsets(rows.Offsets);
+  rows.Columns = Buffer<Id>(rows.Offsets[limit.GetNumberOfRows()]);
+  rows.Weights = Buffer<double>(rows.Columns.size());
+  forRows(
+    [&](Id row, const SparseRows<Id>& part, Id begin, Id end)
+    {
+      std::copy_n(
+        part.Columns.begin() + begin, end - begin, rows.Columns.begin() + rows.Offsets[row]);
+      std::copy_n(
+        part.Weights.begin() + begin, end - begin, rows.Weights.begin() + rows.Offsets[row]);
+    });
+  return rows;
+}
+
+/// The number of values that a LocalLimit computes on all levels, as a measure of its work.
+template <typename Id>
+vtkIdType CountSupportValues(const LocalLimit<Id>& limit)
+{
+  vtkIdType values = 0;
+  for (int level = 0; level < limit.GetNumberOfLevels(); ++level)
+  {
+    values += limit.GetRowsOfLevel(level).GetNumberOfRows();
+  }
+  return values;
 }
 
 }

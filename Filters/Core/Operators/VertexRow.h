@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace subdivision
@@ -52,15 +53,18 @@ struct LevelVertex
   Id GetColumn() const { return this->Number; }
 };
 
-/// Numbers vertices, or other things that have GetHash() and can be compared, with a hash table.
+/// Numbers vertices, or other things that are ids, or have GetHash() and can be compared, in the
+/// order in which they first come, with a hash table.
 template <typename Vertex>
 class VertexNumbers
 {
 public:
   void Clear()
   {
+    const bool isSparse =
+      this->Slots.size() > First && 8 * this->Vertices.size() < this->Slots.size();
+    this->Slots.assign(this->Slots.size() / (isSparse ? 2 : 1), -1);
     this->Vertices.clear();
-    this->Slots.assign(this->Slots.size(), -1);
   }
   /// The number of a vertex. A new one gets the next, which is how many there were.
   std::size_t GetNumber(const Vertex& vertex)
@@ -84,10 +88,23 @@ public:
   std::vector<Vertex> Vertices; ///< by their numbers
 
 private:
+  static constexpr std::size_t First = 64; ///< slots
+
+  static std::uint64_t Hash(const Vertex& vertex)
+  {
+    if constexpr (std::is_integral<Vertex>::value)
+    {
+      return (static_cast<std::uint64_t>(vertex) * 0x9e3779b97f4a7c15u) >> 32;
+    }
+    else
+    {
+      return vertex.GetHash();
+    }
+  }
   /// The slot that has the vertex, or the empty one where it belongs.
   std::size_t Locate(const Vertex& vertex) const
   {
-    for (std::uint64_t hash = vertex.GetHash();; ++hash)
+    for (std::uint64_t hash = Hash(vertex);; ++hash)
     {
       const std::size_t at = hash & (this->Slots.size() - 1);
       const int slot = this->Slots[at];
@@ -106,7 +123,7 @@ private:
     }
   }
 
-  std::vector<int> Slots = std::vector<int>(256, -1); ///< a power of two
+  std::vector<int> Slots = std::vector<int>(First, -1); ///< a power of two
 };
 
 }

@@ -54,11 +54,12 @@ public:
     }
     this->Keys.Clear();
     this->Local.assign(1, static_cast<int>(rule));
-    const auto number = [this](Id key, Id) { return 1 + this->Keys.GetNumber(key); };
+    const auto number = [this](Id key, Id)
+    { return 1 + static_cast<int>(this->Keys.GetNumber(key)); };
     this->Here.ReadRow(rules, vertex, Id(-1), false, this->Local, number);
-    for (std::size_t i = 0; i < this->Keys.Ids.size(); ++i) // the list grows meanwhile
+    for (std::size_t i = 0; i < this->Keys.Vertices.size(); ++i) // the list grows meanwhile
     {
-      this->Here.ReadRow(rules, vertex, this->Keys.Ids[i], false, this->Local, number);
+      this->Here.ReadRow(rules, vertex, this->Keys.Vertices[i], false, this->Local, number);
     }
     const auto known = this->Solved.find(this->Local);
     if (known != this->Solved.end())
@@ -75,7 +76,7 @@ public:
 private:
   SmoothnessFacts Solve(Rule rule) const
   {
-    const int size = 1 + static_cast<int>(this->Keys.Ids.size());
+    const int size = 1 + static_cast<int>(this->Keys.Vertices.size());
     SmoothnessFacts facts;
     facts.Valence = size - 1;
     if (size > LocalMatrix::MostItems)
@@ -97,7 +98,7 @@ private:
 
   const Star Here;
   std::unordered_map<Neighbourhood, SmoothnessFacts, HashNeighbourhood> Solved;
-  Numbering<Id> Keys; ///< of the current vertex; item i is key i - 1
+  VertexNumbers<Id> Keys; ///< of the current vertex; item i is key i - 1
   Neighbourhood Local;
 };
 

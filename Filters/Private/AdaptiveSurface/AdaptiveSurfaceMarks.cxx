@@ -37,14 +37,6 @@ public:
                                      : this->Marks.Mesh.GetSegmentAt(this->Get(i)).Ends;
     return { points, points + (this->IsFaces ? 3 : 2) };
   }
-  template <typename Body>
-  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
-  {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      body(i, this->GetPoints(i));
-    }
-  }
   vtkIdType GetInputCell(vtkIdType i) const
   {
     return this->IsFaces ? this->Marks.FaceCells[this->Marks.Carriers[this->Get(i)].GetSmallest()]

@@ -305,33 +305,22 @@ void RefinementCriteria::EvaluateFunction(const Cells& cells, vtkIdType first, v
   Buffer<double>& centroids, Buffer<double>& values) const
 {
   double* centroid = centroids.data();
-  cells.ForPoints(first, last,
-    [&](vtkIdType, const auto& points)
+  for (vtkIdType i = first; i < last; ++i)
+  {
+    const auto points = cells.GetPoints(i);
+    const auto size = static_cast<double>(points.size());
+    std::fill(centroid, centroid + 3, 0.);
+    for (auto point : points)
     {
-      if (points.size() == 4) // a quarter is exact, and much faster than a division
+      const double* x = this->Coordinates.Get(point);
+      for (int c = 0; c < 3; ++c)
       {
-        const double* x[4];
-        std::transform(points.begin(), points.end(), x,
-          [this](auto point) { return this->Coordinates.Get(point); });
-        for (int c = 0; c < 3; ++c)
-        {
-          centroid[c] = 0.25 * x[0][c] + 0.25 * x[1][c] + 0.25 * x[2][c] + 0.25 * x[3][c];
-        }
+        // A quarter is exact, and much faster than a division.
+        centroid[c] += points.size() == 4 ? 0.25 * x[c] : x[c] / size;
       }
-      else
-      {
-        std::fill(centroid, centroid + 3, 0.);
-        for (auto point : points)
-        {
-          const double* x = this->Coordinates.Get(point);
-          for (int c = 0; c < 3; ++c)
-          {
-            centroid[c] += x[c] / static_cast<double>(points.size());
-          }
-        }
-      }
-      centroid += 3;
-    });
+    }
+    centroid += 3;
+  }
   this->EvaluateFunction(centroids.data(), last - first, values.data());
 }
 

@@ -47,21 +47,6 @@ public:
     return { first, first + this->View.Dimensions[i] + 1 };
   }
   vtkIdType GetInputCell(vtkIdType i) const { return this->Mesh.GetInputCell(i); }
-  /// body(i, points) for each cell i from `begin` to `end`.
-  template <typename Body>
-  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
-  {
-    if (begin < end)
-    {
-      const vtkIdType* first = this->View.Connectivity + this->Places[begin];
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const vtkIdType* last = first + this->View.Dimensions[i] + 1;
-        body(i, Row<vtkIdType>{ first, last });
-        first = last;
-      }
-    }
-  }
   int GetLevel(vtkIdType i) const { return this->View.GetLevel(i); }
   int GetSteps(vtkIdType) const { return 0; }
   bool IsOver(vtkIdType i) const
@@ -95,14 +80,6 @@ public:
   {
     const auto& cell = this->Cells[i];
     return { cell.Vertices.data(), cell.Vertices.data() + cell.Dimension + 1 };
-  }
-  template <typename Body>
-  void ForPoints(vtkIdType begin, vtkIdType end, const Body& body) const
-  {
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      body(i, this->GetPoints(i));
-    }
   }
   vtkIdType GetInputCell(vtkIdType i) const
   {
@@ -241,19 +218,15 @@ private:
   /// `value`: the function's at these cells, or null.
   void LookAtBlock(vtkIdType first, vtkIdType last, const double* value, Found& found) const
   {
-    if (this->Criteria.ReadsFunctionOnly())
+    const bool isFunctionAll = this->Criteria.ReadsFunctionOnly();
+    for (vtkIdType i = first; i < last; ++i)
     {
-      for (vtkIdType i = first; i < last; ++i)
+      const double* own = value ? value + (i - first) : nullptr;
+      if (!isFunctionAll || *own <= 0.)
       {
-        if (value[i - first] <= 0.)
-        {
-          this->LookAt(i, this->Candidates.GetPoints(i), value + (i - first), found);
-        }
+        this->LookAt(i, this->Candidates.GetPoints(i), own, found);
       }
-      return;
     }
-    this->Candidates.ForPoints(first, last, [&](vtkIdType i, const auto& points)
-      { this->LookAt(i, points, value ? value + (i - first) : nullptr, found); });
   }
 
   template <typename Points>

@@ -18,7 +18,9 @@
 #ifndef SubdivisionObjects_LimitRowMaker_h
 #define SubdivisionObjects_LimitRowMaker_h
 
+#include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/ShadingNormals.h"
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Scheme/SharpSectors.h"
 
@@ -42,58 +44,6 @@ struct StarRules
 {
   const subdivision::Strata<Id>& Strata;
   const Buffer<Id>* TetsAtSpokes; ///< of a tet/oct level
-};
-
-/// Numbers ids in the order in which they first come, with a hash table, as a vertex may have very
-/// many edges.
-template <typename Id>
-class Numbering
-{
-public:
-  int GetNumber(Id id)
-  {
-    const int number = this->Find(id);
-    return number >= 0 ? number : this->Add(id);
-  }
-  void Clear()
-  {
-    this->Ids.clear();
-    this->Slots.assign(64, -1);
-  }
-
-  std::vector<Id> Ids;
-
-private:
-  /// Rare, and so apart from what is called for each entry of each row.
-  [[gnu::noinline]] int Add(Id id)
-  {
-    if (2 * (this->Ids.size() + 1) > this->Slots.size())
-    {
-      this->Slots.assign(2 * this->Slots.size(), -1);
-      for (std::size_t i = 0; i < this->Ids.size(); ++i)
-      {
-        this->Find(this->Ids[i]) = static_cast<int>(i);
-      }
-    }
-    const int number = static_cast<int>(this->Ids.size());
-    this->Find(id) = number;
-    this->Ids.push_back(id);
-    return number;
-  }
-  int& Find(Id id)
-  {
-    std::size_t at = (static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15u) >> 32;
-    for (;; ++at)
-    {
-      int& slot = this->Slots[at & (this->Slots.size() - 1)];
-      if (slot < 0 || this->Ids[slot] == id)
-      {
-        return slot;
-      }
-    }
-  }
-
-  std::vector<int> Slots = std::vector<int>(64, -1);
 };
 
 /// The rows of all items of a star as numbers, which name items by their order. Equal ones have
@@ -264,13 +214,13 @@ private:
   Solutions Stars;
   // Of the current vertex:
   Id Vertex = 0;
-  Numbering<Id> Keys; ///< item i is key i - 1
+  VertexNumbers<Id> Keys; ///< item i is key i - 1
   Neighbourhood Local;
   bool HasRelief = false;
   double MostSharpness = 0.;
   std::vector<double> Weights; ///< of the items
   std::vector<double> NextWeights;
-  Numbering<Id> Vertices; ///< of the row
+  VertexNumbers<Id> Vertices; ///< of the row
   // Of one row:
   Neighbourhood Numbers;
   std::vector<Member> Members;
@@ -294,7 +244,7 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   std::vector<double>& solved = this->Solved[this->Local];
   if (solved.empty())
   {
-    solved = SolveLimit(this->Here, this->Local, this->Keys.Ids.size() + 1);
+    solved = SolveLimit(this->Here, this->Local, this->Keys.Vertices.size() + 1);
   }
   this->Weights = solved;
   if (this->Solved.size() > MostSolutions)
@@ -311,7 +261,7 @@ void LimitRowMaker<Star>::FinishRow(int steps, LimitRow<Id>& row)
   if (steps == 0 && !this->HasRelief)
   {
     row.Columns.push_back(this->Vertex);
-    for (Id key : this->Keys.Ids)
+    for (Id key : this->Keys.Vertices)
     {
       row.Columns.push_back(this->Here.GetOppositeEnd(this->Vertex, key));
     }
@@ -323,7 +273,7 @@ void LimitRowMaker<Star>::FinishRow(int steps, LimitRow<Id>& row)
     this->StepBack(step);
   }
   this->TakeFirstStep();
-  row.Columns = this->Vertices.Ids;
+  row.Columns = this->Vertices.Vertices;
   row.Weights = this->NextWeights;
 }
 
@@ -336,7 +286,7 @@ std::vector<LimitRow<typename Star::IdType>> LimitRowMaker<Star>::MakeStar(
   this->ReadNeighbourhood(edges);
   const int steps = std::min(this->CountSteps(), std::max(1, MostStepsOfStars - made));
   made += steps == 0 ? static_cast<int>(this->HasRelief) : steps;
-  const std::size_t size = this->Keys.Ids.size() + 1;
+  const std::size_t size = this->Keys.Vertices.size() + 1;
   Neighbourhood key = this->Local;
   key.insert(key.end(), { -1, made, static_cast<int>(edges.size()) });
   for (const std::array<int, 2>& corner : corners)
@@ -373,12 +323,12 @@ void LimitRowMaker<Star>::ReadNeighbourhood(const std::vector<Id>& edges)
   this->Local.clear();
   this->HasRelief = false;
   const StarRules<Id> rules = this->Here.GetRules();
-  auto number = [this](Id key, Id) { return 1 + this->Keys.GetNumber(key); };
+  auto number = [this](Id key, Id) { return 1 + static_cast<int>(this->Keys.GetNumber(key)); };
   this->Here.ReadRow(rules, this->Vertex, Id(-1), false, this->Local, number);
-  for (std::size_t i = 0; i < this->Keys.Ids.size(); ++i) // the list grows meanwhile
+  for (std::size_t i = 0; i < this->Keys.Vertices.size(); ++i) // the list grows meanwhile
   {
     const bool all =
-      this->Here.ReadRow(rules, this->Vertex, this->Keys.Ids[i], false, this->Local, number);
+      this->Here.ReadRow(rules, this->Vertex, this->Keys.Vertices[i], false, this->Local, number);
     this->HasRelief =
       this->HasRelief || !all || this->GetSharpness(static_cast<int>(i) + 1, 0) > 0.;
   }
@@ -398,7 +348,7 @@ StarRules<typename Star::IdType> LimitRowMaker<Star>::GetStage(int step) const
 template <typename Star>
 double LimitRowMaker<Star>::GetSharpness(int item, int step) const
 {
-  const Id edge = item > 0 ? this->Keys.Ids[item - 1] : 0;
+  const Id edge = item > 0 ? this->Keys.Vertices[item - 1] : 0;
   if (this->Creases.Stages.empty() || edge >= this->NumberOfEdges || this->MostSharpness < step)
   {
     return 0.; // the second: an octahedron
@@ -434,7 +384,7 @@ template <typename Emit>
 void LimitRowMaker<Star>::ForEachEntry(
   const StarRules<Id>& rules, int item, bool first, const Emit& emit)
 {
-  const Id own = item == 0 ? Id(-1) : this->Keys.Ids[item - 1];
+  const Id own = item == 0 ? Id(-1) : this->Keys.Vertices[item - 1];
   this->Numbers.clear();
   this->Members.assign(1, { Id(-1), this->Vertex });
   if (item > 0)
@@ -517,21 +467,14 @@ void LimitRowMaker<Star>::TakeFirstStep()
   }
 }
 
-/// The limit rows of the vertices vertex(0) to vertex(size - 1). Threads make blocks of rows, which
-/// are then joined.
+/// The limit rows of the vertices vertex(0) to vertex(size - 1).
 template <typename Star, typename Id, typename Vertex>
 SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
   const SemiSharpStages<Id>& creases, vtkIdType size, const Vertex& vertex)
 {
   const SharpParts sharp = creases.ListParts(level.Complex);
-  constexpr vtkIdType block = 4096;
-  const vtkIdType blocks = (size + block - 1) / block;
-  std::vector<LimitRow<Id>> parts(blocks);
-  SparseRows<Id> rows;
-  rows.NumberOfColumns = level.Complex.NumberOfVertices;
-  rows.Offsets = Buffer<Id>(size + 1);
   vtkSMPThreadLocal<std::shared_ptr<LimitRowMaker<Star>>> makers; // each keeps its solutions
-  auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
+  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
   {
     auto& maker = makers.Local();
     if (!maker)
@@ -539,34 +482,17 @@ SparseRows<Id> MakeLimitRows(const typename Star::LevelType& level,
       maker = std::make_shared<LimitRowMaker<Star>>(level, creases, sharp);
     }
     LimitRow<Id> row;
-    for (vtkIdType b = begin; b < end; ++b)
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      for (vtkIdType i = b * block; i < std::min(size, (b + 1) * block); ++i)
+      maker->Make(vertex(i), row);
+      for (std::size_t k = 0; k < row.Columns.size(); ++k)
       {
-        maker->Make(vertex(i), row);
-        rows.Offsets[i] = static_cast<Id>(row.Columns.size());
-        LimitRow<Id>& part = parts[b];
-        part.Columns.insert(part.Columns.end(), row.Columns.begin(), row.Columns.end());
-        part.Weights.insert(part.Weights.end(), row.Weights.begin(), row.Weights.end());
+        rows.Add(row.Columns[k], row.Weights[k]);
       }
+      rows.EndRow();
     }
   };
-  ForRangesOfBlocks(blocks, makeBlocks, 3);
-  CountsToOffsets(rows.Offsets);
-  rows.Columns = Buffer<Id>(rows.Offsets[size]);
-  rows.Weights = Buffer<double>(rows.Offsets[size]);
-  const auto joinBlocks = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType b = begin; b < end; ++b)
-    {
-      const vtkIdType first = rows.Offsets[b * block];
-      std::copy(parts[b].Columns.begin(), parts[b].Columns.end(), rows.Columns.begin() + first);
-      std::copy(parts[b].Weights.begin(), parts[b].Weights.end(), rows.Weights.begin() + first);
-      parts[b] = LimitRow<Id>();
-    }
-  };
-  ForRangesOfBlocks(blocks, joinBlocks, 3);
-  return rows;
+  return BlockOperator<Id>(level.Complex.NumberOfVertices, size, append).Store();
 }
 
 }

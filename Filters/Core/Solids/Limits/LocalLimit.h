@@ -20,7 +20,6 @@
 #include "Core/Solids/Limits/LimitStencils.h"
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 namespace subdivision
@@ -78,19 +77,15 @@ public:
   vtkIdType GetNumberBetween() const override;
   void ForEachBlock(const User& use) const override;
 
-  /// The same as one operator. A row has one entry for each control vertex with an influence on it.
-  SparseRows<Id> BuildRows() const;
-
   // The levels, from the control level on, for who follows single rows (LocalLattice.h):
   int GetNumberOfLevels() const { return static_cast<int>(this->Steps.size()); }
+  /// Whether its rows copy control values. So it is once more behind what Append adds.
+  bool IsFirst(int level) const { return this->Steps[level].IsFirst; }
   /// The wanted vertices that first exist on a level, and their limits over the level's values.
   const std::vector<Id>& GetVertices(int level) const { return this->Steps[level].Vertices; }
   const SparseRows<Id>& GetLimitsOnLevel(int level) const { return this->Steps[level].Limits; }
   /// The level's values over those before it, on level 0 over the control vertices.
   const SparseRows<Id>& GetRowsOfLevel(int level) const { return this->Steps[level].Rows; }
-
-  /// The number of values that Apply computes on all levels, as a measure of its work.
-  vtkIdType GetNumberOfSupportValues() const;
 
 private:
   LocalLimit() = default;
@@ -113,14 +108,6 @@ private:
   vtkIdType NumberOfColumns = 0;
   std::vector<Step> Steps;
 };
-
-/// How far the middle of a chord is from the curve or surface at the limit: the geometric error of
-/// an edge whose ends have the limits a and b and whose point has the limit m.
-inline double GetChordError(const double a[3], const double b[3], const double m[3])
-{
-  return std::hypot(
-    m[0] - 0.5 * (a[0] + b[0]), m[1] - 0.5 * (a[1] + b[1]), m[2] - 0.5 * (a[2] + b[2]));
-}
 
 }
 

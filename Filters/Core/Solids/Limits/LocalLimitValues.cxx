@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a LocalLimit does with its steps when they are made: values, normals, rows.
+// What a LocalLimit does with its steps when they are made: values and normals.
 #include "Core/Solids/Limits/LocalLimit.h"
 
 #include "Core/Memory/Ids.h"
@@ -64,64 +64,9 @@ void LocalLimit<Id>::ForEachBlock(const User& use) const
 }
 
 template <typename Id>
-SparseRows<Id> LocalLimit<Id>::BuildRows() const
-{
-  std::vector<SparseRows<Id>> parts;
-  SparseRows<Id> product;
-  const SparseRows<Id>* before = nullptr; // the rows of the step before over control values
-  for (const Step& step : this->Steps)
-  {
-    if (!step.IsFirst)
-    {
-      product = Multiply(step.Rows, *before);
-    }
-    before = step.IsFirst ? &step.Rows : &product;
-    parts.push_back(Multiply(step.Limits, *before));
-  }
-  SparseRows<Id> rows;
-  rows.NumberOfColumns = this->NumberOfColumns;
-  rows.Offsets = Buffer<Id>(this->NumberOfRows + 1, 0);
-  auto forRows = [&](const auto& act)
-  {
-    for (std::size_t l = 0; l < parts.size(); ++l)
-    {
-      const std::vector<Id>& vertices = this->Steps[l].Vertices;
-      ForEach(static_cast<vtkIdType>(vertices.size()), [&](vtkIdType i)
-        { act(vertices[i], parts[l], parts[l].Offsets[i], parts[l].Offsets[i + 1]); });
-    }
-  };
-  forRows(
-    [&](Id row, const SparseRows<Id>&, Id begin, Id end) { rows.Offsets[row] = end - begin; });
-  CountsToOffsets(rows.Offsets);
-  rows.Columns = Buffer<Id>(rows.Offsets[this->NumberOfRows]);
-  rows.Weights = Buffer<double>(rows.Offsets[this->NumberOfRows]);
-  forRows(
-    [&](Id row, const SparseRows<Id>& part, Id begin, Id end)
-    {
-      const Id first = rows.Offsets[row];
-      std::copy(
-        part.Columns.begin() + begin, part.Columns.begin() + end, rows.Columns.begin() + first);
-      std::copy(
-        part.Weights.begin() + begin, part.Weights.begin() + end, rows.Weights.begin() + first);
-    });
-  return rows;
-}
-
-template <typename Id>
 void LocalLimit<Id>::Append(LocalLimit&& others)
 {
   std::move(others.Steps.begin(), others.Steps.end(), std::back_inserter(this->Steps));
-}
-
-template <typename Id>
-vtkIdType LocalLimit<Id>::GetNumberOfSupportValues() const
-{
-  vtkIdType values = 0;
-  for (const Step& step : this->Steps)
-  {
-    values += step.Rows.GetNumberOfRows();
-  }
-  return values;
 }
 
 template <typename Id>

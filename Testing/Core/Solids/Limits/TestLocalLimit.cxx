@@ -98,7 +98,7 @@ void ExpectUniformLimits(const Asked& asked, const LocalLimit<int>& local,
   ASSERT_EQ(local.GetNumberOfRows(), static_cast<vtkIdType>(asked.Uniform.size()));
   std::vector<double> limits(2 * asked.Uniform.size());
   local.Apply(values.data(), limits.data(), 2);
-  const SparseRows<int> rows = local.BuildRows();
+  const SparseRows<int> rows = BuildRows(local);
   ASSERT_EQ(rows.GetNumberOfColumns(), static_cast<vtkIdType>(values.size() / 2));
   const std::vector<double> byRows = ApplyTo(rows, values, 2);
   for (std::size_t i = 0; i < limits.size(); ++i)
@@ -321,7 +321,7 @@ TEST(LocalLimit, OnlyWhatIsWanted)
   const LocalLimit<int> some(levels[0], {}, asked.Ends, wanted);
   std::vector<double> limits(size, -7.);
   some.Apply(values.data(), limits.data(), 1);
-  const SparseRows<int> rows = some.BuildRows();
+  const SparseRows<int> rows = BuildRows(some);
   for (vtkIdType i = 0; i < size; ++i)
   {
     EXPECT_EQ(limits[i], i % 7 == 0 ? expected[i] : -7.) << i;
@@ -330,7 +330,7 @@ TEST(LocalLimit, OnlyWhatIsWanted)
   // Nothing at all but one vertex of the control mesh.
   Buffer<unsigned char> one(size, 0);
   one[13] = 1;
-  EXPECT_LT(LocalLimit<int>(levels[0], {}, asked.Ends, one).GetNumberOfSupportValues(), 16);
+  EXPECT_LT(CountSupportValues(LocalLimit<int>(levels[0], {}, asked.Ends, one)), 16);
 }
 
 TEST(LocalLimit, SemiSharpCreases)
@@ -489,7 +489,7 @@ TEST(LocalLimit, CostsWhatIsAskedFor)
     far = complex.NumberOfVertices + i;
   }
   const LocalLimit<int> local(control.Level, {}, ends);
-  EXPECT_LT(local.GetNumberOfSupportValues(), complex.NumberOfVertices + 10 * 200);
+  EXPECT_LT(CountSupportValues(local), complex.NumberOfVertices + 10 * 200);
 }
 
 TEST(LocalLimit, EdgesThatDoNotExist)

@@ -64,8 +64,8 @@ template <typename Id>
 void ExpectNear(const LocalLimit<Id>& onLattice, const LocalLimit<Id>& onLevels)
 {
   constexpr double tolerance = 1e-12; // weights of a row are at most 1, and values at most 1
-  const SparseRows<Id> rows = onLattice.BuildRows();
-  const SparseRows<Id> expected = onLevels.BuildRows();
+  const SparseRows<Id> rows = BuildRows(onLattice);
+  const SparseRows<Id> expected = BuildRows(onLevels);
   ASSERT_EQ(rows.GetNumberOfRows(), expected.GetNumberOfRows());
   for (vtkIdType i = 0; i < rows.GetNumberOfRows(); ++i)
   {
@@ -179,7 +179,7 @@ TEST(LocalLimitOnLattice, OnlyWhatIsWanted)
   const LocalLimit<int> onLevels(control.Level, {}, ends, wanted);
   ExpectNear(onLattice, onLevels);
   EXPECT_EQ(onLattice.GetNumberOfLevels(), 6);
-  EXPECT_EQ(onLattice.GetNumberOfSupportValues(), onLevels.GetNumberOfSupportValues());
+  EXPECT_EQ(CountSupportValues(onLattice), CountSupportValues(onLevels));
 }
 
 /// Limits beside what is semi-sharp come from levels, all others from the lattice.

@@ -81,7 +81,7 @@ std::vector<DenseRow> FindBySplits(const Level<int>& level,
       nodes.back().push_back(FindNode(corners, node, names));
     }
   }
-  const SparseRows<int> limits = LocalLimit<int>(level, creases, names.GetMidpoints()).BuildRows();
+  const SparseRows<int> limits = BuildRows(LocalLimit<int>(level, creases, names.GetMidpoints()));
   std::vector<DenseRow> rows(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {
