@@ -230,20 +230,20 @@ fresh_report() # COMMAND...
   [ "$user" = root ] || who="no root"
   [ "$folder" = SubdivisionObjects ] || who+=", folder \"$folder\""
   versions=$(fresh_versions)
-  row="| $suite | \`$*\` | $who | $result${counts:+: $counts} | $((seconds / 60)) min $((seconds % 60)) s | $(($(fresh_disk) - before)) MB | $versions |"
-  say "$row"
+  row="| $suite | \`$*\` | $who | $result${counts:+: $counts} | $((seconds / 60)) min $((seconds % 60)) s | $(($(fresh_disk) - before)) MB |"
+  say "$row $versions"
   printf '%s\n' "$row" >"${log%.log}.row"
   [ $record = yes ] && record_row "$table" "$row"
   return 0
 }
 
-# The table, the only one of seven columns, is kept sorted, one row for each suite, command and user.
+# The table, the only one of six columns, is kept sorted, one row for each suite, command and user.
 record_row() # FILE ROW
 {
   local key
   key=$(cut -d'|' -f2-4 <<<"$2")
   { (grep '^| [a-z]* | `' "$1" || true) | (grep -vF "|$key|" || true); printf '%s\n' "$2"; } | LC_ALL=C sort >"$1.rows"
-  sed -i -e '/^| [a-z]* | `/d' -e "/^|---|---|---|---|---|---|---|\$/r $1.rows" "$1"
+  sed -i -e '/^| [a-z]* | `/d' -e "/^|---|---|---|---|---|---|\$/r $1.rows" "$1"
   rm "$1.rows"
 }
 

@@ -71,9 +71,9 @@ def table(title, text, key, steps, rows, slopes=()):
     columns = [key] + [f"step {step}" for step in range(1, steps + 1)] + ["order", "order in L2", *slopes, "bell",
                                                                           "bell in L2"]
     return Table(title, text, columns + (["bell, slopes in L2"] if slopes else []), rows,
-                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.", keys=SHOWN if slopes else None, hidden=[
-                     name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
-                         ["slopes", "bell, slopes in L2"] if slopes else []))
+                 f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.",
+                 SHOWN if slopes else None, [name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
+                     ["slopes", "bell, slopes in L2"] if slopes else []))
 
 
 def surface_table(name):

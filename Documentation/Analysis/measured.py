@@ -30,7 +30,7 @@ SOLIDS = {"Box spline": BOX_SPLINE, "Tet/oct": TET_OCT}
 INSIDE = (3, 4, 5, 6, 7, 8, 10, 12, 16, 20)
 SECTORS = (3, 4, 5, 6, 7, 8, 10, 12)
 ALL = LEVELS + jumps.DEEP
-SHOWN = [str(k) for k in (3, 4, 5, 6, 7, 8, 11, 20)]  # of faces, valences and tetrahedra
+SHOWN = [str(k) for k in (3, 4, 5, 6, 8, 11, 20)]  # of faces, valences and tetrahedra
 COLUMNS = [f"level {level}" for level in ALL] + ["rate", "expected", "off", "half in", "8 below 6", "64 below 32"]
 HIDDEN = [f"level {level}" for level in ALL if level not in (8, 64)] + ["off", "8 below 6", "64 below 32"]
 

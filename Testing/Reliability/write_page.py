@@ -31,7 +31,8 @@ def tell_mutations(figures):
 
 
 def tell_mutated_files(figures):
-    """How many of the mutations of each folder were tried, and of which files all were; files without any do not count."""
+    """How many of the mutations of each folder were tried, and of which files all were if some were not; files without any do
+    not count."""
     folders = {}
     for path, (tried, there_are) in sorted(figures.get("files", {}).items()):
         folder, name = path.rsplit("/", 1)
@@ -39,9 +40,9 @@ def tell_mutated_files(figures):
     told = []
     for folder, files in sorted(folders.items()):
         complete = [name for name, tried, there_are in files if tried == there_are]
-        told.append("%s %d of %d (%d file%s, %s)" % (
-            folder, sum(tried for _, tried, _ in files), sum(there_are for _, _, there_are in files), len(files), "s"[:len(files) > 1],
-            "complete" if len(complete) == len(files) else "complete: %s" % (", ".join(complete) or "none")))
+        told.append("%s %d of %d%s" % (
+            folder, sum(tried for _, tried, _ in files), sum(there_are for _, _, there_are in files),
+            "" if len(complete) == len(files) else " (complete: %s)" % (", ".join(complete) or "none")))
     return "; ".join(told)
 
 
