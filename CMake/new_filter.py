@@ -278,7 +278,7 @@ def main():
     project.insert("Plugin/Descriptions.cmake", r" MultiDimensionalSubdivision RedGreenRefinement", " @NAME@")
     project.insert("Documentation/Guide/README.md", r"^- \[Extract Dimensions\]", "- [@LABEL@](@NAME@.md): @brief@.\n")
     project.insert("Documentation/Architecture.md", r"^\| Models \| nothing",
-                   "| @NAME@ | Core, Reading, Arrays, Control | BEGIN HERE. |\n")
+                   "| @NAME@ | Core, Reading, Arrays, Control |\n")
     project.insert("Testing/Python/test_plugin.py", r'^        "ExtractDimensions": \(',
                    '        "@NAME@": ("@LABEL@", "' + "".join(words(name)) + '"),\n')
     project.insert("CHANGELOG.md", r"^- ", "- `vtk@NAME@` (\"@LABEL@\"): @brief@.\n")

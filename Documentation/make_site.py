@@ -137,8 +137,11 @@ class Site:
             pages = [(text, self.document_of((self.guide.parent / name).resolve())) for text, name in ITEM.findall(section)]
             tabs.append(self.tab(section.split("\n", 1)[0], pages))
         project = [self.project / name for name in ("README.md", "CHANGELOG.md")]
-        developers = sorted({*self.documents, *project} - {self.guide, *self.parents, *project})
-        tabs.append(self.tab("Project", [(self.shown(path), path) for path in project + developers]))
+        others = sorted({*self.documents} - {self.guide, *self.parents, *project})
+        analysis = [path for path in others if path.parent.name == "Analysis"]
+        developers = [path for path in others if path not in analysis]
+        for title, paths in (("Smoothness", analysis), ("Project", project + developers)):
+            tabs.append(self.tab(title, [(self.shown(path), path) for path in paths]))
         return "\n".join(["<navindex>", *filter(None, tabs), '<tab type="classes" visible="yes" title="Classes">',
                           '<tab type="classlist" visible="yes" title="" intro=""/>',
                           '<tab type="hierarchy" visible="yes" title="" intro=""/>', "</tab>", "</navindex>"])

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes titles and tables of properties in Documentation/Guide anew: write_tables.py FILE.xml...
+"""Writes titles and tables of properties in Documentation/Guide anew: write_tables.py [--check] FILE.xml...
 
 The files are those of Plugin after CMake pasted what they share. The tables stand below the line "<!-- properties -->" of
 the page that has the name of the filter. Rows that several filters have stand once, in CommonProperties.md, by the groups
-of the panels; the pages of these filters name them."""
+of the panels, those of most filters first; the pages of these filters name them. With --check it writes nothing, and fails
+where a page would change."""
 
 import collections
 import pathlib
@@ -49,7 +50,8 @@ def read_groups(paths):
 
 
 def find_common(filters, groups):
-    """Group and property by name, in the order of the panels: of those in groups the text that most filters have, if two have it."""
+    """Group and property by name: of properties in groups the text that most filters have, if two have it. The groups of most
+    filters come first."""
     texts = collections.defaultdict(list)
     for one in filters:
         for option in one.options:
@@ -62,7 +64,10 @@ def find_common(filters, groups):
             most = collections.Counter(texts[option.name]).most_common(1)
             if group and most[0][1] > 1 and most[0][0] == (option.label, option.help):
                 common.setdefault(option.name, (group, option))
-    return common
+    most = collections.Counter()
+    for name, (group, _) in common.items():
+        most[group] = max(most[group], len(texts[name]))
+    return dict(sorted(common.items(), key=lambda item: -most[item[1][0]]))
 
 
 def of_page(one, common):
@@ -81,27 +86,35 @@ def of_page(one, common):
     return text
 
 
-def write_common(common):
+def of_common(common):
     groups = collections.defaultdict(list)
     for group, option in common.values():
         groups[group].append(option)
-    page = here / "Guide" / COMMON
+    return "".join(f"\n## {group}\n\n" + table(properties) for group, properties in groups.items())
+
+
+def new_page(page, title, tables):
     text = page.read_text(encoding="utf-8")
-    text = text[:text.index(MARK)] + MARK
-    for group, properties in groups.items():
-        text += f"\n## {group}\n\n" + table(properties)
-    page.write_text(text, encoding="utf-8")
+    return f"# {title}\n" + text[text.index("\n") + 1:text.index(MARK)] + MARK + tables
 
 
 def main():
-    filters = options.read(sys.argv[1:])
-    common = find_common(filters, read_groups(sys.argv[1:]))
-    write_common(common)
-    for one in filters:
-        page = here / "Guide" / f"{one.name}.md"
-        text = page.read_text(encoding="utf-8")
-        text = f"# {one.label}\n" + text[text.index("\n") + 1:text.index(MARK)]
-        page.write_text(text + MARK + of_page(one, common), encoding="utf-8")
+    check = sys.argv[1] == "--check"
+    paths = sys.argv[2 if check else 1:]
+    filters = options.read(paths)
+    common = find_common(filters, read_groups(paths))
+    made = [(COMMON, "Common properties", of_common(common))]
+    made += [(f"{one.name}.md", one.label, of_page(one, common)) for one in filters]
+    changed = []
+    for name, title, tables in made:
+        page = here / "Guide" / name
+        text = new_page(page, title, tables)
+        if text != page.read_text(encoding="utf-8"):
+            changed.append(name)
+            if not check:
+                page.write_text(text, encoding="utf-8")
+    if check and changed:
+        sys.exit(f"tables are not those of Plugin in {', '.join(changed)}: cmake --build build/vtk --target guide_tables writes them")
 
 
 main()

@@ -2,9 +2,10 @@
 """Whether the documents are whole: check_documents.py FOLDER_OF_THE_PROJECT FILE.xml...
 
 README is short. The version of CMake that the guide asks for is the required one, and new enough for what is used. What
-links and pictures of .md files name exists. Pictures are small, and those of the guide are in its gallery. Each filter
-and source of the files, which are those of Plugin after CMake pasted what they share, has a page in the guide that names
-each of its properties; the page, or the one of common properties, has a row for it."""
+links and pictures of .md files name exists, and so do files that pages for developers name. Pictures are small, and those
+of the guide are in its gallery. Each filter and source of the files, which are those of Plugin after CMake pasted what
+they share, has a page in the guide that names each of its properties; the page, or the one of common properties, has a
+row for it."""
 
 import pathlib
 import re
@@ -83,6 +84,16 @@ def wrong_pictures():
             yield f"{path.relative_to(project)} is not in Documentation/Guide/Gallery.md"
 
 
+def missing_files():
+    """Files that pages for developers name without their folders."""
+    folders = ("Data", "Documentation", "Examples", "Filters", "Plugin", "Program", "Python", "Testing")
+    there = {path.name for folder in folders for path in (project / folder).rglob("*.*")}
+    for name in ("Glossary", "Architecture", "Contributing"):
+        page = project / "Documentation" / f"{name}.md"
+        for file in sorted(set(re.findall(r"`(\w+\.(?:h|cxx|py))`", read(page))) - there):
+            yield f"{page.relative_to(project)} names {file}, which is not there"
+
+
 def wrong_cmake_versions():
     asked = re.search(r"Needed are CMake ([\d.]+)", read(guide / "Building.md"))[1]
     for path in sorted(project.rglob("CMakeLists.txt")):
@@ -105,6 +116,7 @@ def main():
     for path in documents():
         faults += broken_links(path)
     faults += wrong_pictures()
+    faults += missing_files()
     faults += wrong_cmake_versions()
     filters = options.read(sys.argv[2:])
     if len(filters) < 11:

@@ -148,7 +148,8 @@ std::ifstream OpenFile(const std::string& path)
   return std::ifstream(std::string(data ? data : "") + "/../" + path);
 }
 
-/// The rows of all tables of the page, by key. Columns: nothing, key, input, what is said.
+/// The rows of all tables of the page, by key. Columns: nothing, keys (of equal inputs), input,
+/// message.
 std::map<std::string, Row> ReadPage()
 {
   std::ifstream page = OpenFile("Documentation/Guide/InputContract.md");
@@ -163,8 +164,13 @@ std::map<std::string, Row> ReadPage()
     std::vector<std::string> columns = SplitColumns(line);
     EXPECT_EQ(columns.size(), 4u) << line;
     columns.resize(4);
-    EXPECT_EQ(rows.count(columns[1]), 0u) << columns[1] << " is there twice";
-    rows[columns[1]].Kind = columns[3];
+    std::istringstream keys(columns[1]);
+    for (std::string key; std::getline(keys, key, ',');)
+    {
+      key = Trim(key);
+      EXPECT_EQ(rows.count(key), 0u) << key << " is there twice";
+      rows[key].Kind = columns[3];
+    }
   }
   return rows;
 }
