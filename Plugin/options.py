@@ -53,6 +53,7 @@ class Option:
         self.command, self.is_id = re.subn("AsDouble$", "", element.get("command"))
         self.clean_command = element.get("clean_command")
         self.hidden = element.get("panel_visibility") == "never"
+        self.advanced = element.get("panel_visibility") == "advanced"
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
         self.entries = [(entry.get("text"), int(entry.get("value"))) for entry in element.iter("Entry")]
         self.port = int(element.get("port_index", 0))
@@ -106,6 +107,9 @@ class Filter:
         self.takes_image = any(option.port == 0 and option.types[0] == "vtkImageData" for option in inputs)
         self.options = [option for option in made if not option.hidden and
                         not (option in inputs and option.port == 0)]
+        # The title of the part of the panel that each property is in.
+        self.groups = {one.get("name"): group.get("label") for group in element.iter("PropertyGroup")
+                       for one in group.iter("Property")}
 
     @property
     def short_name(self):
