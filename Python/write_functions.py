@@ -157,6 +157,7 @@ def option_code(one, name, option):
     rest += [f"group={quoted(group)}"] if group else []
     rest += [f"clean={option.clean_command!r}"] if option.clean_command else []
     rest += [f"entries={option.entries!r}"] if option.entries else []
+    rest += [f"spellings={option.spellings!r}"] if option.spellings else []
     rest += [f"port={option.port}"] if option.port else []
     rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
     return f"        {quoted(name)}: Option(\n            {', '.join(rest)}),\n"

@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
 
 import subdivisionobjects
 from subdivisionobjects import Arrays, Subdivider, execution, functions, meshes
-from subdivisionobjects.run import FILTERS, OF_IMAGES, OF_MESHES
+from subdivisionobjects.run import FILTERS, OF_IMAGES, OF_MESHES, Option
 
 POINTS = np.array([[0.0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
 TETS = np.array([[0, 1, 2, 3], [1, 2, 3, 4]])
@@ -214,7 +214,7 @@ class Help(InFolder):
         found = subdivisionobjects.options("subdivide", "crease")
         self.assertIn("crease_geometry", found)
         self.assertNotIn("volume_scheme", found)  # whose help has the word, too
-        self.assertIn("'Same Id'", repr(found))
+        self.assertIn(f"one of {', '.join(map(repr, found['crease_points'].entries))}", repr(found))
         self.assertEqual(set(subdivisionobjects.options("subdivide", "OctahedronId")), {"volume_scheme", "scheme"})
         with self.assertRaisesRegex(ValueError, "no option of subdivide has the word 'banana'"):
             subdivisionobjects.options("subdivide", "banana")
@@ -232,6 +232,12 @@ class Help(InFolder):
                 TypeError, rf"no argument '{given}'; did you mean .*\b{near}\b.*options\('subdivide'\)"
             ):
                 subdivisionobjects.subdivide(POINTS, TETS, **{given: 1})
+
+    def test_spellings(self):
+        option = Option("enum", "SetScheme", entries=[("Smooth", 1), ("Plain", 0)], spellings=[("Box Spline", 1)])
+        self.assertEqual([option.entry("scheme", text) for text in ("smooth", "BoxSpline", "plain", 1)], [1, 1, 0, 1])
+        with self.assertRaisesRegex(ValueError, "scheme is one of 'Smooth', 'Plain', not 'Boxes'"):
+            option.entry("scheme", "Boxes")
 
     def test_old_names(self):
         new = subdivisionobjects.subdivide(POINTS, TETS, levels=2, scheme="Linear")
