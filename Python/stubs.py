@@ -23,8 +23,10 @@ INPUTS = {
     "creases": "Any",
 }
 HEAD = """# Made by Python/write_functions.py from the files of Plugin. Edit those.
+# mypy: disable-error-code=misc
+# Where VTK has no types, its classes are Any, and overloads seem to be the same.
 from os import PathLike
-from typing import Any, Callable, List, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, TypeVar, Union, overload
+from typing import Any, Callable, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, TypeVar, Union, overload
 
 from numpy.typing import ArrayLike
 from typing_extensions import Unpack
@@ -74,11 +76,11 @@ def function(one):
     keys += [f"{name}: {INPUTS[name]} = ..." for name in back]
     keys += ["progress: _Progress = ...", f"**options: Unpack[_{one.name}_options]"]
     output = OUTPUTS.get(one.filter.cls, GRID)
+    # What is none of these is Any: a list of data sets, a filter, a mesh of meshio or PyVista.
     kinds = [
         ("_Given", "Arrays"),
         ("vtkCompositeDataSet", "vtkMultiBlockDataSet"),
         ("vtkDataObject", output),
-        ("List[vtkDataObject]", "List[vtkDataObject]"),
         ("Any", "Any"),
     ]
     if not front:

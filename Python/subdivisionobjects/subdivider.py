@@ -11,6 +11,7 @@ from .run import FILTERS, execute, find_filter, prepare
 
 if TYPE_CHECKING:
     import numpy as np
+    from numpy.typing import ArrayLike
 
 # The name of values that are given without one.
 VALUES = "Values"
@@ -69,7 +70,7 @@ class Subdivider:
         ...
 
     @overload
-    def apply(self, values: Any) -> np.ndarray[Any, Any]:
+    def apply(self, values: ArrayLike) -> np.ndarray[Any, Any]:
         ...
 
     def apply(self, values: Any) -> Any:

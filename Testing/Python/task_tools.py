@@ -12,6 +12,7 @@ import signal
 import sys
 import tempfile
 import textwrap
+import threading
 import types
 import unittest
 import unittest.mock
@@ -389,7 +390,7 @@ class Series(unittest.TestCase):
                 np.testing.assert_array_equal(made.point_data["a"], expected.point_data["v"])
                 np.testing.assert_array_equal(made.points, expected.points)
             np.testing.assert_array_equal(smooth.apply(mesh[0]), smooth.points)
-        self.assertEqual(Subdivider(POINTS, TETS).apply(rows).shape[1:], (2, 2))
+        self.assertEqual(Subdivider(POINTS, TETS, levels=1).apply(rows).shape[1:], (2, 2))
 
     def test_the_operator_is_kept(self):
         """A change of values takes a part of the time: the filter makes no operator."""
@@ -408,7 +409,7 @@ class Series(unittest.TestCase):
         np.testing.assert_array_equal(smooth.apply(POINTS), expected.points)
         self.assertEqual(expected.points[0].tolist(), POINTS[0].tolist())
         self.assertEqual(set(smooth.apply({"a": POINTS}).point_data), {"a"})
-        self.assertEqual(set(smooth.point_data), {"marks", "T"})
+        self.assertLessEqual({"marks", "T"}, set(smooth.point_data))
 
     def test_results_stay(self):
         smooth = Subdivider(POINTS, TETS, levels=1)
@@ -425,11 +426,11 @@ class Series(unittest.TestCase):
 
     def test_a_file_and_a_data_set(self):
         grid = meshes.to_vtk(POINTS, TETS)
-        self.assertEqual(Subdivider(grid).apply(POINTS).shape, (14, 3))
+        self.assertEqual(Subdivider(grid, levels=1).apply(POINTS).shape, (14, 3))
         self.assertEqual(grid.GetPointData().GetNumberOfArrays(), 0)
 
     def test_errors(self):
-        smooth = Subdivider(POINTS, TETS)
+        smooth = Subdivider(POINTS, TETS, levels=1)
         with self.assertRaisesRegex(ValueError, "4 values, but there are 5 points"):
             smooth.apply([1.0, 2, 3, 4])
         self.assertEqual(len(smooth.apply(POINTS)), 14)
@@ -443,12 +444,14 @@ class Series(unittest.TestCase):
     def test_operators_and_places_of_arrays(self):
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()
         made.SetInputDataObject(meshes.to_vtk(POINTS, TETS))
-        ours = subdivisionobjects.operator_matrix(POINTS, TETS)
+        made.SetNumberOfLevels(1)
+        ours = subdivisionobjects.operator_matrix(POINTS, TETS, levels=1)
         np.testing.assert_array_equal(ours.weights, subdivisionobjects.operator_matrix(made).weights)
         self.assertGreater(len(subdivisionobjects.operator_factors(POINTS, TETS, levels=2)), 1)
         at = subdivisionobjects.evaluate_limit((POINTS, TETS), [1], [[0.1, 0.2, 0.3]])
         np.testing.assert_array_equal(at.points, subdivisionobjects.evaluate_limit(made, [1], [[0.1, 0.2, 0.3]]).points)
-        quads = subdivisionobjects.operator_matrix(CUBE, QUADS, function="surface_subdivision", scheme="catmull-clark")
+        options = {"function": "surface_subdivision", "scheme": "catmull-clark", "levels": 1}
+        quads = subdivisionobjects.operator_matrix(CUBE, QUADS, **options)
         self.assertEqual(len(quads.offsets) - 1, 26)
         with self.assertRaisesRegex(TypeError, "a filter has a mesh and options of its own"):
             subdivisionobjects.operator_matrix(made, levels=2)
@@ -573,6 +576,16 @@ class Progress(unittest.TestCase):
                 os.kill(os.getpid(), signal.SIGINT)
 
         self.handle(lambda *_: caught.append(1))
-        made = subdivisionobjects.subdivide(POINTS, TETS, progress=interrupt)
+        made = subdivisionobjects.subdivide(POINTS, TETS, levels=1, progress=interrupt)
         self.assertTrue(caught)
         self.assertEqual(len(made.cells), 16)
+
+    def test_work_in_other_threads(self):
+        """They have no signals, and tell their progress."""
+        told, made = [], []
+        work = threading.Thread(
+            target=lambda: made.append(subdivisionobjects.subdivide(POINTS, TETS, levels=1, progress=told.append))
+        )
+        work.start()
+        work.join()
+        self.assertEqual((len(made[0].cells), told[-1]), (16, 1))

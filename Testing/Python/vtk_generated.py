@@ -29,6 +29,8 @@ XML = f"""<ServerManagerConfiguration><ProxyGroup name="filters">
     <BooleanDomain name="bool"/></IntVectorProperty>
   <DoubleVectorProperty command="SetHow" name="How" default_values="0.5" number_of_elements="1">
     <Documentation>{"half a line " * 20}</Documentation></DoubleVectorProperty>
+  <IntVectorProperty command="SetRare" name="Rare" default_values="7" number_of_elements="1"
+    panel_visibility="advanced"/>
 </SourceProxy></ProxyGroup></ServerManagerConfiguration>
 """
 
@@ -89,6 +91,10 @@ class Generated(unittest.TestCase):
             self.assertIn(part, strings)
         arguments = {one.arg: default for one, default in zip(function.args.kwonlyargs, function.args.kw_defaults)}
         self.assertEqual(ast.literal_eval(arguments["onetwotab"]), NASTY)
+        self.assertNotIn("rare", arguments)  # as the panel does not show it at once
+        self.assertIn("rare", strings)
+        more = next(node for node in stub.body if isinstance(node, ast.ClassDef))
+        self.assertEqual([line.target.id for line in more.body], ["kind", "refine_by_it", "rare"])
         annotation = next(one.annotation for node in ast.walk(stub) if isinstance(node, ast.FunctionDef)
                           for one in node.args.kwonlyargs if one.arg == "onetwotab")
         self.assertEqual(ast.literal_eval(annotation.slice), (NASTY, LINES))
