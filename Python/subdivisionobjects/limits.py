@@ -45,7 +45,8 @@ def evaluate_limit(
     rows = np.zeros((len(ids), 3))
     rows[:, : given.shape[1]] = given
     result = vtkPolyData()
-    made = to_filter(mesh, None, function, options)
-    with listen_to(made):
+    progress = options.pop("progress", None)
+    made, words = to_filter(mesh, None, function, options)
+    with listen_to(made, words, progress):
         made.EvaluateLimit(meshes.to_vtk_ids(ids), meshes.to_vtk_array(rows), result)
     return meshes.to_arrays(result)

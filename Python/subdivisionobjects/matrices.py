@@ -54,9 +54,10 @@ def _read(get, number_of_columns):
 
 
 def _compute(mesh, cells, function, options):
-    made = to_filter(mesh, cells, function, options)
+    progress = options.pop("progress", None)
+    made, words = to_filter(mesh, cells, function, options)
     found = vtkSubdivisionObjects.vtkSubdivisionOperator()
-    with listen_to(made):
+    with listen_to(made, words, progress):
         made.ComputeOperator(found)
     return found
 

@@ -299,17 +299,18 @@ def prepare(one, given):
 
 
 def to_filter(mesh, cells, function, options):
-    """A filter that has an operator and a limit as it is; else one of a function, with a mesh and options."""
+    """A filter that has an operator and a limit as it is; else one of a function, with a mesh and options. Also what
+    words its messages have."""
     needed = "ComputeOperator"
     if isinstance(mesh, vtkAlgorithm) and hasattr(mesh, needed):
         if cells is not None or options:
             raise TypeError("a filter has a mesh and options of its own")
-        return mesh
+        return mesh, None
     one = find_filter(function)
     if not hasattr(getattr(vtkSubdivisionObjects, one.cls), needed):
         able = [other.name for other in FILTERS.values() if hasattr(getattr(vtkSubdivisionObjects, other.cls), needed)]
         raise ValueError(f"{one.name} has no operator: function is one of {', '.join(able)}")
-    return prepare(one, {"mesh": mesh, "cells": cells, **options}).made
+    return prepare(one, {"mesh": mesh, "cells": cells, **options}).made, one.words
 
 
 def run(one, given):

@@ -453,6 +453,8 @@ class Series(unittest.TestCase):
         options = {"function": "surface_subdivision", "scheme": "catmull-clark", "levels": 1}
         quads = subdivisionobjects.operator_matrix(CUBE, QUADS, **options)
         self.assertEqual(len(quads.offsets) - 1, 26)
+        with self.assertRaisesRegex(RuntimeError, "maximum_number_of_cells"):
+            subdivisionobjects.operator_matrix(POINTS, TETS, levels=3, maximum_cells=9)
         with self.assertRaisesRegex(TypeError, "a filter has a mesh and options of its own"):
             subdivisionobjects.operator_matrix(made, levels=2)
         with self.assertRaisesRegex(
@@ -486,6 +488,16 @@ class Progress(unittest.TestCase):
         self.assertEqual((told, told[-1]), (sorted(told), 1))
         self.assertEqual(told, self.reports)
         self.assertGreater(self.last_part(), 0.6)
+
+    def test_it_is_told_of_operators_and_places(self):
+        for call, given in (
+            (subdivisionobjects.operator_matrix, grid(3)),
+            (subdivisionobjects.operator_factors, grid(3)),
+            (subdivisionobjects.evaluate_limit, ((POINTS, TETS), [0], [[0.1, 0.2, 0.3]])),
+        ):
+            told = []
+            call(*given, progress=told.append)
+            self.assertTrue(told, call)
 
     def test_a_bar(self):
         bars = []
