@@ -53,7 +53,6 @@ class Option:
         self.command, self.is_id = re.subn("AsDouble$", "", element.get("command"))
         self.clean_command = element.get("clean_command")
         self.hidden = element.get("panel_visibility") == "never"
-        self.advanced = element.get("panel_visibility") in ("advanced", "never")
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
         entries = [(entry.get("text"), int(entry.get("value")), entry.get("spelling")) for entry in element.iter("Entry")]
         self.entries = [(text, value) for text, value, spelling in entries if not spelling]
@@ -63,6 +62,7 @@ class Option:
         self.default = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
         self.types = [entry.get("value") for entry in element.iter("DataType")]
         self.shown_with = {one.get("property") for one in element.iter("PropertyWidgetDecorator")}
+        self.advanced = element.get("panel_visibility") in ("advanced", "never")
         self.kind = self.find_kind(element)
         if self.kind == "array":
             # Index, port, connection, association; points where the user says which.

@@ -183,6 +183,10 @@ class Filter(NamedTuple):
             if name in self.aliases and value is not None and given.get(self.aliases[name]) is not None:
                 raise ValueError(f"{name} and {self.aliases[name]} are the same: give one of them")
 
+    def has(self, method):
+        """Whether its class has a method."""
+        return hasattr(getattr(vtkSubdivisionObjects, self.cls), method)
+
     def values(self, given):
         """The values of all options, and of other arguments that are given."""
         values = {name: option.default for name, option in self.options.items()}
@@ -301,14 +305,13 @@ def prepare(one, given):
 def to_filter(mesh, cells, function, options):
     """A filter that has an operator and a limit as it is; else one of a function, with a mesh and options. Also what
     words its messages have."""
-    needed = "ComputeOperator"
-    if isinstance(mesh, vtkAlgorithm) and hasattr(mesh, needed):
+    if isinstance(mesh, vtkAlgorithm) and hasattr(mesh, "ComputeOperator"):
         if cells is not None or options:
             raise TypeError("a filter has a mesh and options of its own")
         return mesh, None
     one = find_filter(function)
-    if not hasattr(getattr(vtkSubdivisionObjects, one.cls), needed):
-        able = [other.name for other in FILTERS.values() if hasattr(getattr(vtkSubdivisionObjects, other.cls), needed)]
+    able = [other.name for other in FILTERS.values() if other.has("ComputeOperator")]
+    if one.name not in able:
         raise ValueError(f"{one.name} has no operator: function is one of {', '.join(able)}")
     return prepare(one, {"mesh": mesh, "cells": cells, **options}).made, one.words
 

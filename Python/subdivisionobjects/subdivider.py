@@ -35,8 +35,8 @@ class Subdivider:
         from . import meshes
 
         self._filter = find_filter(function)
-        if "cache_operator" not in self._filter.options:
-            able = [name for name, one in FILTERS.items() if "cache_operator" in one.options]
+        able = [one.name for one in FILTERS.values() if one.has("SetCacheOperator")]
+        if self._filter.name not in able:
             raise ValueError(f"{self._filter.name} keeps no operator: function is one of {', '.join(able)}")
         self._progress = options.pop("progress", None)
         self._ready = prepare(self._filter, {"mesh": mesh, "cells": cells, **options})
