@@ -14,7 +14,6 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkSubdivisionObjects
-from .arrays import Arrays  # noqa: F401
 from .execution import listen_to
 
 
