@@ -54,12 +54,15 @@ class Option:
         self.clean_command = element.get("clean_command")
         self.hidden = element.get("panel_visibility") == "never"
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
-        self.entries = [(entry.get("text"), int(entry.get("value"))) for entry in element.iter("Entry")]
+        entries = [(entry.get("text"), int(entry.get("value")), entry.get("spelling")) for entry in element.iter("Entry")]
+        self.entries = [(text, value) for text, value, spelling in entries if not spelling]
+        self.spellings = [(text, value) for text, value, spelling in entries if spelling]
         self.port = int(element.get("port_index", 0))
         self.count = int(element.get("number_of_elements") or 1)
         self.default = (element.get("default_values") or "").split(element.get("default_values_delimiter"))
         self.types = [entry.get("value") for entry in element.iter("DataType")]
         self.shown_with = {one.get("property") for one in element.iter("PropertyWidgetDecorator")}
+        self.advanced = element.get("panel_visibility") in ("advanced", "never")
         self.kind = self.find_kind(element)
         if self.kind == "array":
             # Index, port, connection, association; points where the user says which.
@@ -106,6 +109,9 @@ class Filter:
         self.takes_image = any(option.port == 0 and option.types[0] == "vtkImageData" for option in inputs)
         self.options = [option for option in made if not option.hidden and
                         not (option in inputs and option.port == 0)]
+        # The title of the part of the panel that each property is in.
+        self.groups = {one.get("name"): group.get("label") for group in element.iter("PropertyGroup")
+                       for one in group.iter("Property")}
 
     @property
     def short_name(self):

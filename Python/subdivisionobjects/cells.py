@@ -6,7 +6,7 @@ import re
 import numpy as np
 from vtkmodules.vtkCommonDataModel import VTK_POLYGON, vtkCellArray
 
-from .run import warn
+from .execution import warn
 from .values import join, to_integers, to_numpy, to_vtk_array, to_vtk_ids
 
 # Type of VTK and number of points, by the names that meshio has, too.

@@ -1,14 +1,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The limit at places of cells. NumPy is loaded when it is needed."""
 
+from __future__ import annotations
+
+from typing import Any, Callable, Union
+
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from .run import Arrays, listen_to
+from .arrays import Arrays
+from .execution import listen_to
+from .run import to_filter
 
 
-def evaluate_limit(made, cells, parameters) -> Arrays:
-    """The limit of a vtkMultiDimensionalSubdivision or vtkSurfaceSubdivision, with its input and rules, at many places.
+def evaluate_limit(
+    mesh: Any, cells: Any, parameters: Any, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+) -> Arrays:
+    """The limit of a mesh by `subdivide` or `surface_subdivision`, with options that choose rules, at many places.
 
+        at = evaluate_limit((points, tetrahedra), [0, 0], [[0.25, 0.25, 0.25], [0, 0, 1]])
+        at = evaluate_limit((points, quads), [3], [[0.5, 0.5]], function="surface_subdivision", scheme="catmull-clark")
+
+    mesh: a pair of points and cells, or another mesh that these functions take; or a vtkMultiDimensionalSubdivision or
+    vtkSurfaceSubdivision, with its input and rules.
     cells: the id of a cell for each place, which is a vertex, line, triangle or tetrahedron. parameters: a row of one to
     three numbers u, v, w for each: the weights of the second, third and fourth point of the cell; the first has the
     rest. By CatmullClark cells are polygons: in a quad u goes from the first point to the second and v to the fourth,
@@ -19,16 +32,21 @@ def evaluate_limit(made, cells, parameters) -> Arrays:
     """
     import numpy as np
     from . import meshes
+
     ids = meshes.to_integers("cells", cells)
     given = meshes.to_numpy("parameters", parameters)
     if given.dtype.kind not in "iuf":
         raise ValueError(f"parameters must be numbers, not {given.dtype}")
     if ids.ndim != 1 or given.ndim != 2 or len(given) != len(ids) or not 1 <= given.shape[1] <= 3:
-        raise ValueError("there must be a cell and a row of one to three parameters for each place, not the shapes "
-                         f"{ids.shape} and {given.shape}")
+        raise ValueError(
+            "there must be a cell and a row of one to three parameters for each place, not the shapes "
+            f"{ids.shape} and {given.shape}"
+        )
     rows = np.zeros((len(ids), 3))
-    rows[:, :given.shape[1]] = given
+    rows[:, : given.shape[1]] = given
     result = vtkPolyData()
-    with listen_to(made):
+    progress = options.pop("progress", None)
+    made, words = to_filter(mesh, None, function, options)
+    with listen_to(made, words, progress):
         made.EvaluateLimit(meshes.to_vtk_ids(ids), meshes.to_vtk_array(rows), result)
     return meshes.to_arrays(result)

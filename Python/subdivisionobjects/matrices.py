@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a filter does to points, as sparse matrices. NumPy is loaded when it is needed."""
 
-from typing import Any, NamedTuple
+from __future__ import annotations
+
+from typing import Any, Callable, List, NamedTuple, Union
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
 
 from . import vtkSubdivisionObjects
-from .run import listen_to
+from .execution import listen_to
+from .run import to_filter
 
 
 class Rows(NamedTuple):
@@ -17,11 +20,12 @@ class Rows(NamedTuple):
     weights: Any
     number_of_columns: int
 
-    def multiply(self, values):
+    def multiply(self, values: Any) -> Any:
         """The matrix times an array of a value, or a row of values, for each column: each row is summed in double, in
         the order of its entries, starting with 0."""
         import numpy as np
         from .values import to_numpy
+
         values = to_numpy("values", values).astype(float)
         if len(values) != self.number_of_columns:
             raise ValueError(f"there must be {self.number_of_columns} values, one for each column, not {len(values)}")
@@ -34,39 +38,53 @@ class Rows(NamedTuple):
             sums[rows] += weights * values[self.ids[at]]
         return sums
 
-    def to_scipy(self):
+    def to_scipy(self) -> Any:
         """The same as a scipy.sparse.csr_matrix."""
         from scipy.sparse import csr_matrix
-        return csr_matrix((self.weights, self.ids, self.offsets),
-                          shape=(len(self.offsets) - 1, self.number_of_columns))
+
+        return csr_matrix((self.weights, self.ids, self.offsets), shape=(len(self.offsets) - 1, self.number_of_columns))
 
 
 def _read(get, number_of_columns):
     from vtkmodules.util import numpy_support
+
     arrays = vtkIdTypeArray(), vtkIdTypeArray(), vtkDoubleArray()
     get(*arrays)
     return Rows(*map(numpy_support.vtk_to_numpy, arrays), number_of_columns)
 
 
-def _compute(made):
+def _compute(mesh, cells, function, options):
+    progress = options.pop("progress", None)
+    made, words = to_filter(mesh, cells, function, options)
     found = vtkSubdivisionObjects.vtkSubdivisionOperator()
-    with listen_to(made):
+    with listen_to(made, words, progress):
         made.ComputeOperator(found)
     return found
 
 
-def operator_matrix(made):
-    """The matrix S of a vtkMultiDimensionalSubdivision or vtkSurfaceSubdivision with its input and options: a row for
-    each point of the output, a column for each point of the input. S times the points is the output but for rounding.
+def operator_matrix(
+    mesh: Any, cells: Any = None, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+) -> Rows:
+    """The matrix S of `subdivide` or `surface_subdivision` with these options: a row for each point of the output, a
+    column for each point of the input. S times the points is the output but for rounding.
+
+        S = operator_matrix(points, tetrahedra, levels=2).to_scipy()
+        S = operator_matrix(points, quads, function="surface_subdivision", scheme="catmull-clark").to_scipy()
+
+    mesh, cells: as these functions take them; or mesh is a vtkMultiDimensionalSubdivision or vtkSurfaceSubdivision,
+    with its input and options.
     """
-    found = _compute(made)
+    found = _compute(mesh, cells, function, options)
     return _read(found.GetRows, found.GetNumberOfColumns())
 
 
-def operator_factors(made):
+def operator_factors(
+    mesh: Any, cells: Any = None, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+) -> List[Rows]:
     """Matrices whose product is S, the first of them to be applied first. They sum as the filter does: one multiplied
-    after the other gives the output bit for bit, where points are in double and no cell gets a point at its centre."""
-    found = _compute(made)
+    after the other gives the output bit for bit, where points are in double and no cell gets a point at its centre.
+    Arguments are those of `operator_matrix`."""
+    found = _compute(mesh, cells, function, options)
     columns = found.GetNumberOfColumns()
     factors = []
     for factor in range(found.GetNumberOfFactors()):

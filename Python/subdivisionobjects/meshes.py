@@ -12,20 +12,26 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPolyData, vtkSelection, vtkSelectionNode, vtkTable, vtkUnstructuredGrid)
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
+from . import files
+from .arrays import Arrays
 from .cells import NAMES, join_blocks, set_cells
-from .run import Arrays, check_texts, nearest, warn
-from .values import data_arrays, to_array, to_ids, to_integers, to_numpy, to_vtk_array, to_vtk_ids
+from .execution import warn
+from .run import check_texts, nearest
+from .values import (  # noqa: F401
+    GHOSTS, data_arrays, to_array, to_ids, to_integers, to_numpy, to_vtk_array, to_vtk_ids)
 
 # Field data by which a filter goes on with what an earlier one made, if the cells keep their order.
 STAMP = "Subdivision"
 
 
 def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False, forms=None):
-    """A data set of VTK as it is; arrays, a pair (points, cells), a mesh of meshio or a list of data sets as a data
-    set. Of surfaces rows of four are quads. `forms` takes those of arrays (to_array): "point", "cell" and "field"."""
+    """A data set of VTK as it is; arrays, a pair (points, cells), a mesh of meshio, a file or a list of data sets as a
+    data set. Of surfaces rows of four are quads. `forms` takes those of arrays (to_array): "point", "cell" and "field"."""
     if isinstance(mesh, vtkAlgorithm):
         mesh.Update()
         mesh = mesh.GetOutputDataObject(0)
+    if isinstance(mesh, (str, os.PathLike)):
+        mesh = files.read(mesh)
     if isinstance(mesh, vtkDataObject):
         if cells is not None or point_data or cell_data:
             raise TypeError("a data set has cells and arrays of its own")
@@ -41,9 +47,6 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False,
         return blocks
     if cells is None and isinstance(mesh, tuple) and len(mesh) == 2:
         return from_arrays(*mesh, point_data, cell_data, of_surfaces, forms)
-    if isinstance(mesh, (str, os.PathLike)):
-        raise TypeError(f"{str(mesh)!r} is the name of a file: read it first, by a reader of vtkmodules.vtkIOXML for "
-                        "instance, or take the program subdivide")
     return from_arrays(mesh, cells, point_data, cell_data, of_surfaces, forms)
 
 
@@ -57,7 +60,8 @@ def from_mesh(mesh, point_data, cell_data, of_surfaces, forms):
     if lost:
         warn(f"{' and '.join(lost)} of the mesh are left out: give them as masks in point_data or cell_data")
     is_ours = isinstance(mesh, Arrays)
-    made = from_arrays(mesh.points, mesh.cells, {**mesh.point_data, **(point_data or {})},
+    cells = None if is_ours and not len(mesh.cells) else mesh.cells
+    made = from_arrays(mesh.points, cells, {**mesh.point_data, **(point_data or {})},
                        {**mesh.cell_data, **(cell_data or {})}, of_surfaces and not is_ours, forms)
     for name, values in (getattr(mesh, "field_data", None) or {}).items():
         values = np.atleast_1d(to_numpy(f"field_data: the array {name!r}", values))
@@ -120,7 +124,9 @@ def with_attributes(mesh, names):
 
 
 def to_image(labels, spacing=None, origin=None):
-    """A data set of VTK as it is; an array [x, y, z] as an image with these labels at its points."""
+    """A data set of VTK as it is, or from a file; an array [x, y, z] as an image with these labels at its points."""
+    if isinstance(labels, (str, os.PathLike)):
+        labels = files.read(labels)
     if isinstance(labels, (vtkAlgorithm, vtkDataObject)) or is_list_of_data_sets(labels):
         if spacing is not None or origin is not None:
             raise TypeError("a data set has a spacing and an origin of its own")
@@ -280,29 +286,43 @@ def to_arrays(mesh, forms=None):
     for kinds, cells in cell_arrays(mesh):
         offsets = numpy_support.vtk_to_numpy(cells.GetOffsetsArray())
         ids = numpy_support.vtk_to_numpy(cells.GetConnectivityArray())
-        sizes = np.diff(offsets)
-        kinds = np.full(len(sizes), VTK_POLYGON) if kinds is None else kinds
-        for kind, size in sorted({(int(k), int(s)) for k, s in np.unique(np.column_stack([kinds, sizes]), axis=0)}):
-            chosen = np.flatnonzero((kinds == kind) & (sizes == size))
-            name = NAMES.get(kind) or {3: "triangle", 4: "quad"}.get(size, f"polygon{size}")
-            rows = ids[offsets[chosen][:, None] + np.arange(size)]
+        for name, chosen, size in cells_of_types(kinds, np.diff(offsets)):
+            rows = ids.reshape(-1, size) if len(chosen) == len(offsets) - 1 else \
+                ids[offsets[chosen][:, None] + np.arange(size)]
             groups.setdefault(name, []).append((first + chosen, rows))
-        first += len(sizes)
-    order = [part for parts in groups.values() for part, _ in parts]
-    order = np.concatenate(order) if order else np.zeros(0, int)
-    cells = {name: np.concatenate([rows for _, rows in parts]) for name, parts in groups.items()}
+        first += len(offsets) - 1
+    order = join_parts([part for parts in groups.values() for part, _ in parts])
+    cells = {name: join_parts([rows for _, rows in parts]) for name, parts in groups.items()}
     if set(cells) in ({"vertex"}, {"line"}, {"triangle"}, {"tetra"}):
         cells = next(iter(cells.values()))
     points = mesh.GetPoints()
     points = numpy_support.vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))
     fields = data_arrays(mesh.GetFieldData(), forms.get("field"))
-    if (order != np.arange(len(order))).any():
+    is_in_order = bool((order == np.arange(len(order))).all())
+    if not is_in_order:
         fields = {name: values for name, values in fields.items() if not (name or "").startswith(STAMP)}
     active = {attribute: mesh.GetPointData().GetAbstractAttribute(kind) for attribute, kind in ATTRIBUTES.items()}
     return Arrays(points, cells, data_arrays(mesh.GetPointData(), forms.get("point")),
-                  {name: values[order]
+                  {name: values if is_in_order else values[order]
                    for name, values in data_arrays(mesh.GetCellData(), forms.get("cell")).items()},
                   fields, {attribute: array.GetName() for attribute, array in active.items() if array})
+
+
+def join_parts(parts):
+    """Arrays one after the other; a single one as it is."""
+    return parts[0] if len(parts) == 1 else np.concatenate(parts) if parts else np.zeros(0, int)
+
+
+def cells_of_types(kinds, sizes):
+    """For each type and number of points that cells have, by `kinds`, None for polygons, and `sizes`: its name, its
+    cells and the number."""
+    kinds = np.int64(VTK_POLYGON) if kinds is None else kinds.astype(np.int64)
+    keys = sizes.astype(np.int64) + (kinds << 40)
+    first = keys[0] if len(keys) else 0
+    for key in [first] if (keys == first).all() else np.unique(keys).tolist():
+        kind, size = int(key) >> 40, int(key) & (2**40 - 1)
+        name = NAMES.get(kind) or {3: "triangle", 4: "quad"}.get(size, f"polygon{size}")
+        yield name, np.flatnonzero(keys == key), size
 
 
 def cell_arrays(mesh):

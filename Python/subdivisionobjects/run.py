@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What all functions do: set the options of a filter, run it, and tell of its errors and warnings."""
+"""What all functions do: set the options of a filter, run it, and return its output like its input."""
 
-import contextlib
 import difflib
 import functools
 import inspect
@@ -9,37 +8,13 @@ import math
 import numbers
 import operator
 import re
-import sys
-import warnings
+from typing import Any, Dict, NamedTuple
 
-from vtkmodules.util.misc import calldata_type
-from vtkmodules.util.vtkConstants import VTK_STRING
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import vtkSubdivisionObjects
-
-
-class Arrays(tuple):
-    """Points and cells of a mesh: points, cells = arrays.
-
-    `points` has three columns. `cells` has a row of point ids for each cell if all are vertices, lines, triangles or
-    tetrahedra. Else it is a dictionary of such arrays, by "vertex", "line", "triangle", "tetra", "quad", "hexahedron",
-    "wedge", "pyramid", and "polygonN" for polygons of N points, so that no quad is taken for a tetrahedron.
-    `point_data` and `cell_data` are dictionaries of arrays, of numbers and of texts; the cells follow each other as in
-    `cells`. `field_data` has arrays of any lengths, of the mesh as a whole. `attributes` has the names of the arrays of
-    points that are "texture_coordinates" and "normals", if there are any.
-    """
-
-    def __new__(cls, points, cells, point_data, cell_data, field_data=None, attributes=None):
-        made = super().__new__(cls, (points, cells))
-        made.points, made.cells, made.point_data, made.cell_data = points, cells, point_data, cell_data
-        made.field_data, made.attributes = field_data or {}, attributes or {}
-        return made
-
-    def __getnewargs__(self):
-        """For copy and pickle: what __new__ takes."""
-        return self.points, self.cells, self.point_data, self.cell_data, self.field_data, self.attributes
+from .execution import listen_to
 
 
 def check_texts(name, texts):
@@ -50,14 +25,6 @@ def check_texts(name, texts):
         wrong = next(text for text in texts if any("\ud800" <= character <= "\udfff" for character in text))
         raise ValueError(f"{name} has {wrong!a}, which UTF-8 cannot have: where it was bytes, such as the name of a "
                          "file, decode them by their own encoding, as in .decode('latin-1')") from None
-
-
-def warn(message):
-    """Warns who called the package."""
-    frame, level = sys._getframe(), 1
-    while frame.f_back and frame.f_globals.get("__name__", "").split(".")[0] in (__package__, "contextlib"):
-        frame, level = frame.f_back, level + 1
-    warnings.warn(message, stacklevel=level)
 
 
 def is_number(value):
@@ -76,11 +43,16 @@ NUMBERS = {"int": ("whole number", to_index), "id": ("whole number", to_index),
 class Option:
     """An option of a filter, by the name of the argument."""
 
-    def __init__(self, kind, command, clean=None, entries=(), port=0, index=0, association=0):
+    def __init__(self, kind, command, default=None, help="", group="", clean=None, entries=(), spellings=(), port=0,
+                 index=0, association=0):
         self.kind = kind
         self.command = command
+        self.default = default
+        self.help = help
+        self.group = group
         self.clean = clean
         self.entries = dict(entries)
+        self.spellings = dict(spellings)
         self.port = port
         self.index = index
         self.association = association
@@ -151,7 +123,7 @@ class Option:
             raise ValueError(f"{name}={value} is out of range; the nearest is {get()}")
 
     def entry(self, name, value):
-        for text, number in self.entries.items():
+        for text, number in (*self.entries.items(), *self.spellings.items()):
             if (value == number and not isinstance(value, bool)) or plain(value) == plain(text):
                 return number
         raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}"
@@ -166,28 +138,91 @@ def without_numpy(value):
 
 
 def nearest(name, names):
-    """"; did you mean X?", with the name that is the most alike; empty if none is."""
+    """"; did you mean X or Y?", with the names that are the most alike; empty if none is."""
     known = {plain(one): one for one in names}
-    found = difflib.get_close_matches(plain(name), known, 1)
-    return f"; did you mean {known[found[0]]}?" if found else ""
+    given = plain(name)
+    found = difflib.get_close_matches(given, known, 3)
+    if len(given) > 2:
+        found += [one for one in known if given in one and one not in found]
+    return f"; did you mean {' or '.join(known[one] for one in found[:3])}?" if found else ""
 
 
-def checked(aliases):
-    """Makes a function refuse an argument that does not exist, and tell the nearest, or that is given by two names."""
+# What functions take besides the options of their filters.
+OF_MESHES = ("mesh", "cells", "point_data", "cell_data", "texture_coordinates", "normals")
+OF_IMAGES = ("mesh", "spacing", "origin")
+
+
+class Filter(NamedTuple):
+    """What a function runs: a class, its options by the names of arguments, and shorter names of these."""
+
+    name: str
+    cls: str
+    help: str
+    more_help: str
+    inputs: Any
+    options: Dict[str, Option]
+    aliases: Dict[str, str]
+    criteria: Dict[str, Any]
+    words: Dict[str, str]
+
+    def names(self):
+        """All arguments of the function."""
+        more = (["creases"] if "crease_geometry" in self.options else []) + (["refine"] if self.criteria else [])
+        return [*self.inputs, "progress", *more, *self.aliases, *self.options]
+
+    def check(self, given):
+        """Refuses an argument that does not exist, and tells the nearest, or that is given by two names."""
+        names = self.names()
+        for name, value in given.items():
+            if name not in names:
+                raise TypeError(
+                    f"{self.name}() has no argument {name!r}{nearest(name, names)}; "
+                    f"subdivisionobjects.options({self.name!r}) lists all"
+                )
+            if name in self.aliases and value is not None and given.get(self.aliases[name]) is not None:
+                raise ValueError(f"{name} and {self.aliases[name]} are the same: give one of them")
+
+    def has(self, method):
+        """Whether its class has a method."""
+        return hasattr(getattr(vtkSubdivisionObjects, self.cls), method)
+
+    def values(self, given):
+        """The values of all options, and of other arguments that are given."""
+        values = {name: option.default for name, option in self.options.items()}
+        values.update((self.aliases.get(name, name), value) for name, value in given.items() if value is not None)
+        return values
+
+
+# All functions, by name.
+FILTERS: Dict[str, Filter] = {}
+
+
+def find_filter(function):
+    """What a function runs: the function, or its name."""
+    name = getattr(function, "__name__", function)
+    if name == "multi_dimensional_subdivision":
+        name = "subdivide"
+    if name not in FILTERS:
+        raise ValueError(f"there is no function {name!r}: they are {', '.join(FILTERS)}{nearest(name, FILTERS)}")
+    return FILTERS[name]
+
+
+def runs(one):
+    """Makes a function that has a signature only run a filter with its arguments."""
+
     def wrap(function):
-        names = list(inspect.signature(function).parameters)
+        signature = inspect.signature(function)
 
         @functools.wraps(function)
         def call(*args, **given):
-            for name in given:
-                if name not in names:
-                    raise TypeError(f"{function.__name__}() has no argument {name!r}{nearest(name, names)}")
-                if name in aliases and aliases[name] in given and given[name] is not None:
-                    raise ValueError(f"{name} and {aliases[name]} are the same: give one of them")
-            return function(*args, **given)
+            one.check(given)
+            bound = dict(signature.bind(*args, **given).arguments)
+            options = bound.pop("options", {})
+            return run(one, {**bound, **options})
 
         return call
 
+    FILTERS[one.name] = one
     return wrap
 
 
@@ -228,46 +263,81 @@ def choose_criteria(criteria, refine, values):
             values[option] = number
 
 
-def run(cls, options, aliases, criteria, values, words):
-    """Runs a filter of this class with the arguments of a function, and returns its output like its input."""
+class Ready(NamedTuple):
+    """A filter with its input and options, and what its output is to be like."""
+
+    made: Any
+    mesh: Any
+    forms: Dict[str, Any]
+    values: Dict[str, Any]
+
+
+def prepare(one, given):
+    """Makes a filter and sets its input and options by the arguments of its function."""
     from . import meshes
-    made = getattr(vtkSubdivisionObjects, cls)()
-    has_mesh = "mesh" in values
+
+    one.check(given)
+    values = one.values(given)
+    made = getattr(vtkSubdivisionObjects, one.cls)()
     mesh = values.pop("mesh", None)
-    if has_mesh and mesh is None:
-        raise TypeError("mesh is None: give a data set of VTK, points and cells, or a mesh that has them")
+    if one.inputs and mesh is None:
+        raise TypeError("mesh is None: give a data set of VTK, points and cells, a file, or a mesh that has them")
     forms = {"point": {}, "cell": {}, "field": {}}
     data = [values.pop(key, None) for key in ("cells", "point_data", "cell_data")]
-    attributes = {key: values.pop(key, None) for key in meshes.ATTRIBUTES}
-    creases = values.pop("creases", None)
-    for short, name in aliases.items():
-        value = values.pop(short)
-        values[name] = values[name] if value is None else value
-    refine = values.pop("refine", None)
-    if refine is not None:
-        choose_criteria(criteria, refine, values)
-    if "spacing" in values:
-        made.SetInputDataObject(0, meshes.to_image(mesh, values.pop("spacing"), values.pop("origin")))
-    elif has_mesh:
-        given = meshes.to_vtk(mesh, *data, of_surfaces="Surface" in cls, forms=forms)
-        made.SetInputDataObject(0, meshes.with_attributes(given, attributes))
+    more = {key: values.pop(key, None) for key in (*meshes.ATTRIBUTES, "spacing", "origin", "creases", "refine")}
+    if more["refine"] is not None:
+        choose_criteria(one.criteria, more["refine"], values)
+    if one.inputs == OF_IMAGES:
+        made.SetInputDataObject(0, meshes.to_image(mesh, more["spacing"], more["origin"]))
+    elif one.inputs:
+        found = meshes.to_vtk(mesh, *data, of_surfaces="Surface" in one.cls, forms=forms)
+        made.SetInputDataObject(0, meshes.with_attributes(found, {key: more[key] for key in meshes.ATTRIBUTES}))
     # Arrays belong to inputs, which come first.
-    for name in sorted(values, key=lambda name: options[name].kind == "array"):
+    for name in sorted(one.options, key=lambda name: one.options[name].kind == "array"):
         if values[name] is not None:
-            options[name].apply(made, name, values[name])
-    if creases is not None:
-        set_creases(made, options, values, creases)
-    with listen_to(made, words) as told:
+            one.options[name].apply(made, name, values[name])
+    if more["creases"] is not None:
+        set_creases(made, one.options, values, more["creases"])
+    return Ready(made, mesh, forms, values)
+
+
+def to_filter(mesh, cells, function, options):
+    """A filter that has an operator and a limit as it is; else one of a function, with a mesh and options. Also what
+    words its messages have."""
+    if isinstance(mesh, vtkAlgorithm) and hasattr(mesh, "ComputeOperator"):
+        if cells is not None or options:
+            raise TypeError("a filter has a mesh and options of its own")
+        return mesh, None
+    one = find_filter(function)
+    able = [other.name for other in FILTERS.values() if other.has("ComputeOperator")]
+    if one.name not in able:
+        raise ValueError(f"{one.name} has no operator: function is one of {', '.join(able)}")
+    return prepare(one, {"mesh": mesh, "cells": cells, **options}).made, one.words
+
+
+def run(one, given):
+    """Runs a filter with the arguments of its function, and returns its output like its input."""
+    from . import meshes
+
+    progress = given.pop("progress", None)
+    ready = prepare(one, given)
+    return meshes.like(ready.mesh, execute(one, ready, progress), ready.forms)
+
+
+def execute(one, ready, progress=None):
+    """Runs a filter that is ready, and returns its output."""
+    made, values = ready.made, ready.values
+    with listen_to(made, one.words, progress) as told:
         made.Update()
     output = made.GetOutputDataObject(0)
     # With these options nothing may come out of a mesh that is right.
-    chosen = without_numpy(values.get("output_dimensions", ()))
-    is_part = values.get("failing_only") or values.get("special_only") or values.get("places") is not None or (
-        chosen is not None and (not isinstance(chosen, list) or
-                                0 < len(chosen) < len(options["output_dimensions"].entries)))
+    chosen = without_numpy(values.get("output_dimensions"))
+    is_part = bool(values.get("failing_only") or values.get("special_only") or values.get("places") is not None)
+    if chosen is not None:
+        is_part |= not isinstance(chosen, list) or 0 < len(chosen) < len(one.options["output_dimensions"].entries)
     if told["WarningEvent"] and not is_part and is_empty(output) and not is_empty(made.GetInputDataObject(0, 0)):
         raise RuntimeError("nothing is left of the input: " + "\n".join(told["WarningEvent"]))
-    return meshes.like(mesh, output, forms)
+    return output
 
 
 def set_creases(made, options, values, creases):
@@ -283,53 +353,3 @@ def is_empty(data):
     """Whether it has no cells."""
     blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if hasattr(data, "GetNumberOfBlocks") else [data]
     return not any(one and one.GetNumberOfCells() for one in blocks)
-
-
-def of_input_type(made, text):
-    """What the pipeline says of an input that the filter does not take, without the words of pipelines."""
-    found = re.match(r"Input for connection index \d+ on input port index (\d+) for algorithm .+ is of type (\w+)", text)
-    if not found:
-        return text
-    port, key = int(found[1]), vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
-    information = made.GetInputPortInformation(port)
-    types = [information.Get(key, i) for i in range(information.Length(key))]
-    cure = ""
-    if "vtkUnstructuredGrid" in types and made.GetInputDataObject(port, 0).IsA("vtkDataSet"):
-        cure = "; vtkmodules.vtkFiltersCore.vtkAppendFilter makes a vtkUnstructuredGrid of other data sets"
-    return f"input port {port} is a {found[2]}, but can only be {', '.join(types)}{cure}"
-
-
-def replace(words, text):
-    """The text with other words; where several fit, the longest is meant."""
-    if not words:
-        return text
-    # Where ParaView's plugin is loaded, too, messages have the labels of panels.
-    known = set(words.values())
-    text = re.sub(r'"([A-Z][A-Za-z0-9 -]*)"', lambda found: next(
-        (name for name in [re.sub("[ -]", "_", found[1].lower())] if name in known), found[0]), text)
-    any_word = "|".join(map(re.escape, sorted(words, key=len, reverse=True)))
-    return re.sub(rf"(?<![^\W_])(?:{any_word})(?![^\W_])", lambda found: words[found[0]], text)
-
-
-@contextlib.contextmanager
-def listen_to(made, words=None):
-    """Errors become an exception, warnings those of Python, told to who called the function that calls this. `words` of
-    the messages are replaced by those of the caller."""
-    told = {"ErrorEvent": [], "WarningEvent": []}
-
-    @calldata_type(VTK_STRING)
-    def listen(_, event, message):
-        if "returned failure for request" not in message:  # the pipeline says once more that something failed
-            text = re.sub(r"\A(ERROR|Warning): In .*\n\S+ \(\w+\): ", "", message).strip()
-            told[event].append(replace(words, of_input_type(made, text)))
-
-    observers = [(source, source.AddObserver(event, listen)) for source in (made, made.GetExecutive()) for event in told]
-    try:
-        yield told
-    finally:
-        for source, observer in observers:
-            source.RemoveObserver(observer)
-    for message in told["WarningEvent"]:
-        warn(message)
-    if told["ErrorEvent"]:
-        raise RuntimeError("\n".join(told["ErrorEvent"]))

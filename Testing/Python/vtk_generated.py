@@ -29,6 +29,8 @@ XML = f"""<ServerManagerConfiguration><ProxyGroup name="filters">
     <BooleanDomain name="bool"/></IntVectorProperty>
   <DoubleVectorProperty command="SetHow" name="How" default_values="0.5" number_of_elements="1">
     <Documentation>{"half a line " * 20}</Documentation></DoubleVectorProperty>
+  <IntVectorProperty command="SetRare" name="Rare" default_values="7" number_of_elements="1"
+    panel_visibility="advanced"/>
 </SourceProxy></ProxyGroup></ServerManagerConfiguration>
 """
 
@@ -39,7 +41,8 @@ def generate(script, *more):
         made = pathlib.Path(folder, "made")
         xml.write_text(XML.replace("one\ntwo\ttab", "one&#10;two&#9;tab"), encoding="utf-8")
         subprocess.run([sys.executable, SOURCE / script, SOURCE / "Plugin", *more, made, xml], check=True, timeout=60)
-        return made.read_text(encoding="utf-8")
+        texts = [path.read_text(encoding="utf-8") for path in sorted(pathlib.Path(folder).glob("made*"))]
+        return texts if len(texts) > 1 else texts[0]
 
 
 def read_literals(text):
@@ -75,15 +78,25 @@ class Generated(unittest.TestCase):
         self.assertNotIn("Kind", words)  # may be a word like any other
 
     def test_python(self):
-        text = generate("Python/write_functions.py", '1.0 "made"')
-        tree = ast.parse(text)
+        text, types = generate("Python/write_functions.py", '1.0 "made"')
+        tree, stub = ast.parse(text), ast.parse(types)
         function = next(node for node in tree.body if isinstance(node, ast.FunctionDef))
         help_ = " ".join(ast.get_docstring(function).split())
-        for part in (" ".join(NASTY.split()), f'"{"w" * 300} \\" end\\', 'back\\slash "' + '"' * 3):
+        for part in (" ".join(NASTY.split()), f'"{"w" * 300} \\" end\\', "refine: where", "made = made_filter("):
             self.assertIn(part, help_)
+        constants = [str(node.value) for node in ast.walk(tree) if isinstance(node, ast.Constant)]
+        strings = [line for text in constants for line in text.splitlines()]
+        for part in ('back\\slash "' + '"' * 3, f'"{"w" * 300} \\" end\\', ("half a line " * 20).strip(),
+                     "SetRefineByIt"):
+            self.assertIn(part, strings)
         arguments = {one.arg: default for one, default in zip(function.args.kwonlyargs, function.args.kw_defaults)}
-        self.assertEqual(ast.literal_eval(arguments["kind"]), NASTY)
-        annotation = next(one.annotation for one in function.args.kwonlyargs if one.arg == "kind")
+        self.assertEqual(ast.literal_eval(arguments["onetwotab"]), NASTY)
+        self.assertNotIn("rare", arguments)  # as the panel does not show it at once
+        self.assertIn("rare", strings)
+        more = next(node for node in stub.body if isinstance(node, ast.ClassDef))
+        self.assertEqual([line.target.id for line in more.body], ["kind", "refine_by_it", "rare"])
+        annotation = next(one.annotation for node in ast.walk(stub) if isinstance(node, ast.FunctionDef)
+                          for one in node.args.kwonlyargs if one.arg == "onetwotab")
         self.assertEqual(ast.literal_eval(annotation.slice), (NASTY, LINES))
         version = next(node for node in tree.body if isinstance(node, ast.Assign) and
                        node.targets[0].id == "__version__")

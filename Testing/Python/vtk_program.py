@@ -17,6 +17,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLTableWriter, vtkXML
 
 import subdivisionobjects
 from headers import CLASSES, of_bases
+from subdivisionobjects.run import FILTERS
 
 PROGRAM = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")
 DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
@@ -98,6 +99,14 @@ class Program(unittest.TestCase):
             self.assertEqual(missing - UNSMOOTHED, HIDDEN.get(cls.__name__, set()), cls.__name__)
             if cls.__name__ in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSurfaceSubdivision"):
                 self.assertFalse(missing & UNSMOOTHED)
+
+    def test_functions_of_python_have_the_same_options(self):
+        for name, one in FILTERS.items():
+            filter_name = {"subdivide": "multi"}.get(name, name.replace("_", "-"))
+            listed = run("--filter", filter_name, "--help").stdout
+            found = {plain(line.split()[0]) for line in listed.splitlines() if line.startswith("  --")}
+            common = found & {plain(f"--{option}") for option in ("filter", "refine", "info", "quiet", "help", "version")}
+            self.assertEqual(found - common, {name.replace("_", "") for name in one.options}, name)
 
     def test_it_does_what_the_class_does(self):
         done = run(SHIP, "smooth.vtu", "--levels", 2, "--scheme", "tetoct")
