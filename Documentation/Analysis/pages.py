@@ -116,8 +116,9 @@ def is_same(written, computed):
     return True
 
 
-def differences(page):
-    """What does not agree between a page and its computation, and how many rows were computed."""
+def differences(page, turn=None):
+    """What does not agree between a page and its computation, and how many rows were computed: of a turn (0, 1 or 2) each
+    third one, and each one in some turn."""
     faults, count, written = [], 0, read(page)
     if list(written) != [table.title for table in page.tables]:
         return [f"{page.name}: the page has the tables {list(written)}"], 0
@@ -126,7 +127,7 @@ def differences(page):
         if list(rows) != [row.key for row in table.rows]:
             faults.append(f"{page.name}, {table.title}: the page has the rows {list(rows)}")
             continue
-        for row in table.rows:
+        for row in table.rows[turn::3] if turn is not None else table.rows:
             count += 1
             computed = [row.key] + row.compute()
             shown = rows[row.key]
