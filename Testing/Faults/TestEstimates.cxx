@@ -7,6 +7,7 @@
 #include "FailingMemory.h"
 #include "FeatureTools.h"
 #include "Private/Run/SizeChecks.h"
+#include "Turns.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkPlaneSource.h"
@@ -156,7 +157,7 @@ TEST(EstimatesOfSolids, MixedDimensions)
     for (const int volumeScheme :
       { vtkMultiDimensionalSubdivision::BOX_SPLINE, vtkMultiDimensionalSubdivision::TET_OCT })
     {
-      for (const std::string options : { "", "C", "P", "PC", "N", "PNT" })
+      for (const std::string options : turns::Some({ "", "C", "P", "PC", "N", "PNT" }))
       {
         vtkNew<vtkMultiDimensionalSubdivision> filter;
         filter->SetInputDataObject(

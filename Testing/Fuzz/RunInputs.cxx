@@ -2,7 +2,8 @@
 /**
  * @file RunInputs.cxx
  * Takes the place of libFuzzer, with any compiler: runs each file of the given folders, then random
- * changes of them for some seconds: RunInputs [--seconds N] FOLDER...
+ * changes of them for some seconds: RunInputs [--seconds N] FOLDER... N is for random tests of a
+ * minute; SUBDIVISIONOBJECTS_RANDOM_SECONDS makes it shorter or longer, as those.
  */
 #include <chrono>
 #include <csignal>
@@ -102,7 +103,8 @@ int main(int argc, char** argv)
   {
     if (std::string(argv[i]) == "--seconds" && i + 1 < argc)
     {
-      seconds = std::atof(argv[++i]);
+      const char* ofMinute = std::getenv("SUBDIVISIONOBJECTS_RANDOM_SECONDS");
+      seconds = std::atof(argv[++i]) * (ofMinute ? std::atof(ofMinute) / 60. : 1.);
       continue;
     }
     for (const auto& entry : std::filesystem::directory_iterator(argv[i]))

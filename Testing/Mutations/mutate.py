@@ -74,6 +74,8 @@ class Commands:
         self.build = build
         self.dependencies = None
         self.objects = {}  # of each source
+        cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+        self.compiler = re.search(r"^CMAKE_CXX_COMPILER:\w+=(.*)$", cache, re.M).group(1)
         for entry in json.loads(self.ninja("-t", "compdb")):
             if entry["file"].endswith(".cxx") and entry["output"].endswith(".o"):
                 self.objects[os.path.normpath(os.path.join(entry["directory"], entry["file"]))] = entry
@@ -151,6 +153,7 @@ class Runner:
         entry = self.commands.objects[str(source)]
         target = self.binaries / (hashlib.sha1(str(source).encode()).hexdigest()[:12] + ".o")
         words = [word for word in shlex.split(entry["command"]) if word != "-MD"]
+        del words[:words.index(self.commands.compiler)]  # a launcher, such as a cache of the compiler
         for option in ("-MF", "-MT", "-MQ"):
             while option in words:
                 place = words.index(option)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Partitions, simulated in one process, give the result of the whole mesh.
 #include "PartitionTools.h"
+#include "Turns.h"
 
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/PointIds.h"
@@ -171,7 +172,7 @@ TEST(Partitions, GiveTheWholeOfSurfaces)
           return SubdivideSurface(
             vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
         };
-        for (const Partition& partition : Partitions)
+        for (const Partition& partition : turns::Some(Partitions))
         {
           const std::vector<Mesh> cut = Cut(surface, partition);
           const auto whole = Mesh::Take(vtkPolyData::New());
@@ -207,7 +208,7 @@ TEST(Partitions, GiveTheWholeUniformly)
         options.Warn = [](const std::string&) {};
         options.Fail = [](const std::string& message) { ADD_FAILURE() << message; };
         choice.Set(options);
-        for (const Partition& partition : Partitions)
+        for (const Partition& partition : turns::Some(Partitions))
         {
           const std::vector<Mesh> cut = Cut(mesh, partition);
           const auto whole = Grid::New();

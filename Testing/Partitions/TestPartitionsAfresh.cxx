@@ -2,6 +2,7 @@
 // Surface filters in a row on partitions, simulated in one process, with schemes that do not halve
 // edges: each takes the cells as any other mesh, as in one process where the stamp is taken away.
 #include "PartitionTools.h"
+#include "Turns.h"
 
 #include "Private/AdaptiveSurface/AdaptiveSurface.h"
 #include "Private/Surface/SurfaceSubdivision.h"
@@ -183,6 +184,10 @@ TEST(PartitionsAfresh, FiltersStartAndSayIt)
       const std::vector<std::vector<int>> splits = { { 1, 1 }, { 1, 2 }, { 2, 1 }, { 1, 1, 1 } };
       // Each scheme has each of them, with other meshes.
       const size_t run = turn++ / std::size(CommonPartitions);
+      if (!turns::IsInTurn(run))
+      {
+        return;
+      }
       const std::vector<int>& split = splits[(run + run / NumberOfSchemes) % splits.size()];
       std::vector<SurfaceOptions> filters;
       for (const int count : split)
@@ -216,7 +221,7 @@ TEST(PartitionsAfresh, GiveWayToAdaptiveRefinement)
   ForSurfaces(true,
     [](const Mesh& mesh, int scheme, const Partition& partition)
     {
-      if (partition.Blocks == 1)
+      if (partition.Blocks == 1 || !turns::IsNextInTurn())
       {
         return; // slabs have the most layers
       }

@@ -2,6 +2,7 @@
 // Values that jump at interfaces are on partitions, simulated in one process, those of the whole
 // mesh.
 #include "PartitionTools.h"
+#include "Turns.h"
 
 #include "Private/Distribution/KeptParts.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
@@ -80,7 +81,7 @@ template <typename Options, typename Work>
 void ExpectWholeOf(
   const std::vector<Mesh>& meshes, const Options& options, const Work& work, int layers = 2)
 {
-  for (const Mesh& mesh : meshes)
+  for (const Mesh& mesh : turns::Some(meshes))
   {
     AddMaterials(mesh);
     Options shared = options;
@@ -134,7 +135,7 @@ void ExpectBlocksOf(const Options& options, const Work& work)
     AddMaterials(mesh);
     Options shared = options;
     const auto run = WithFields(shared, work);
-    for (const Partition& partition : Partitions)
+    for (const Partition& partition : turns::Some(Partitions))
     {
       SCOPED_TRACE(Describe(partition, mesh));
       const Partition inOne = { "blocks", 1, partition.Parts * partition.Blocks, false };
@@ -246,7 +247,7 @@ TEST(PartitionsFields, GiveTheWholeOfFiltersInARow)
     auto options = MakeOptions<subdivision::UniformOptions>();
     options.Interpolation.Arrays = interpolates;
     const auto run = WithFields(options, Smooth);
-    for (const Mesh& mesh : MakeMeshes())
+    for (const Mesh& mesh : turns::Some(MakeMeshes()))
     {
       AddMaterials(mesh);
       const auto first = Grid::New();

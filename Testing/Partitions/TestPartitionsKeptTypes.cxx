@@ -2,6 +2,7 @@
 // With KeepCellTypes partitions, simulated in one process, give the cells, values and numbers of
 // the whole mesh.
 #include "PartitionTools.h"
+#include "Turns.h"
 
 #include "Private/Uniform/UniformSubdivision.h"
 
@@ -73,7 +74,7 @@ TEST(PartitionsKeptTypes, GiveTheWhole)
   }
   for (const Mesh& mesh : meshes)
   {
-    for (const int levels : { 0, 1, 2 })
+    for (const int levels : turns::Some({ 0, 1, 2 }))
     {
       UniformOptions options;
       options.Scheme = subdivision::StampScheme::Linear;

@@ -2,6 +2,7 @@
 // Red-green refinement of partitions, simulated in one process, splits the cells that it splits in
 // the whole mesh.
 #include "PartitionTools.h"
+#include "Turns.h"
 
 #include "Private/Distribution/KeptParts.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
@@ -133,7 +134,7 @@ TEST(PartitionsRedGreen, GiveTheWhole)
 {
   for (const Mesh& mesh : MakeMeshesWithFields())
   {
-    for (const Choice& choice : Choices)
+    for (const Choice& choice : turns::Some(Choices))
     {
       const auto whole = Grid::New();
       ASSERT_TRUE(Refine(mesh, whole, choice, MakeOptions()));
@@ -202,10 +203,10 @@ void ExpectToGoOn(
 // where the limit counts, it takes green cells as they are.
 TEST(PartitionsRedGreen, TheNextFilterGoesOn)
 {
-  const int pairs[][2] = { { 1, 2 }, { 2, 1 }, { 1, 3 }, { 3, 1 } };
+  const std::pair<int, int> pairs[] = { { 1, 2 }, { 2, 1 }, { 1, 3 }, { 3, 1 } };
   for (const Mesh& mesh : MakeMeshesWithFields())
   {
-    for (const auto& [first, second] : pairs)
+    for (const auto& [first, second] : turns::Some(pairs))
     {
       ExpectToGoOn(mesh, Choices[first], Choices[second]);
       if (HasFailure())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // --info foretells what then comes out.
 #include "Precompiled.h"
+#include "Turns.h"
 
 #include "CommandLine.h"
 #include "Files.h"
@@ -24,6 +25,10 @@ Command Read(const std::vector<std::string>& arguments)
 /// Cells and points within this part of them.
 void ExpectForetold(const std::vector<std::string>& arguments, double tolerance)
 {
+  if (!turns::IsNextInTurn())
+  {
+    return;
+  }
   std::string all;
   for (const std::string& argument : arguments)
   {

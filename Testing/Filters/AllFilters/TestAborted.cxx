@@ -8,6 +8,7 @@
 #include "LabelTools.h"
 #include "SubdivisionDeformationTools.h"
 #include "SurfaceTools.h"
+#include "Turns.h"
 
 #include "Core/Memory/Loops.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
@@ -98,6 +99,10 @@ void CheckStopsInSteps(const std::string& name, const std::vector<Object>& input
   bool hasStopped = true;
   for (int stopAt = 0; hasStopped; stopAt += step)
   {
+    if (stopAt > 0 && !turns::IsInTurn(static_cast<std::size_t>(stopAt / step)))
+    {
+      continue;
+    }
     hasStopped = false;
     for (const bool isWarm : { false, true })
     {

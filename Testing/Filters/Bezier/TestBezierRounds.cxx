@@ -5,6 +5,7 @@
  * that whole levels give.
  */
 #include "BezierTools.h"
+#include "Turns.h"
 
 #include "vtkSubdivisionCageSource.h"
 #include "vtkSubdivisionModelSource.h"
@@ -115,7 +116,7 @@ TEST(BezierRounds, SolidsAreThoseOfWholeLevels)
   const std::pair<int, double> cases[] = { { vtkSubdivisionModelSource::SCREW, 5e-3 },
     { vtkSubdivisionModelSource::MIXED_DIMENSIONS, 1e-3 },
     { vtkSubdivisionModelSource::MATERIAL_BLOCK, 1e-3 } };
-  for (const auto& [model, tolerance] : cases)
+  for (const auto& [model, tolerance] : turns::Some(cases))
   {
     const bool hasMaterials = model == vtkSubdivisionModelSource::MATERIAL_BLOCK;
     const vtkIdType cells = ExpectWhole<Filter>(MakeModel(model), std::to_string(model),
@@ -213,7 +214,7 @@ TEST(BezierRounds, SurfacesAreThoseOfWholeLevels)
       { vtkSubdivisionModelSource::MIXED_DIMENSIONS, vtkSubdivisionModelSource::SCREW })
     {
       const Grid input = MakeModel(model);
-      for (const double tolerance : { 1e-3, 1e-5 })
+      for (const double tolerance : turns::Some({ 1e-3, 1e-5 }))
       {
         ExpectWhole<Surface>(input, std::to_string(scheme) + " " + std::to_string(model),
           [&](Surface* filter)
@@ -239,7 +240,7 @@ TEST(BezierRounds, SurfacesAreThoseOfWholeLevels)
 TEST(BezierRounds, OptionsThatNeedAllCellsGetThem)
 {
   const Grid input = MakeModel(vtkSubdivisionModelSource::SCREW);
-  for (int option = 0; option < 4; ++option)
+  for (const int option : turns::Some({ 0, 1, 2, 3 }))
   {
     ExpectWhole<Filter>(input, std::to_string(option),
       [option](Filter* filter)

@@ -6,6 +6,7 @@
  */
 #include "BezierTools.h"
 #include "PlaceTools.h"
+#include "Turns.h"
 
 #include "Private/Bezier/PatchShape.h"
 
@@ -255,7 +256,7 @@ struct Found
     EXPECT_LE(this->OfValues, 1.);
     EXPECT_GT(std::max(this->OfPoints, this->OfValues), 0.5)
       << "meshes without errors show nothing";
-    EXPECT_GE(this->Parts, parts);
+    EXPECT_GE(this->Parts, turns::GetTurn() < 0 ? parts : parts / 6); // some rounds have few
   }
 };
 
@@ -358,7 +359,7 @@ TEST(BezierTolerance, IsKeptByTrianglesOfBothFilters)
   Found found[2];
   for (const double tolerance : Tolerances)
   {
-    for (const int n : { 3, 5, 8, 12 })
+    for (const int n : turns::Some({ 3, 5, 8, 12 }))
     {
       CheckGrid(MakeBipyramid(n), 5, tolerance, found[0]);
       CheckSurface(MakeBipyramid(n), vtkSurfaceSubdivision::LOOP, 5, tolerance, found[1]);
@@ -375,7 +376,7 @@ TEST(BezierTolerance, IsKeptByQuads)
   Found found;
   for (const double tolerance : Tolerances)
   {
-    for (const int n : { 3, 5, 8, 12 })
+    for (const int n : turns::Some({ 3, 5, 8, 12 }))
     {
       CheckSurface(MakeTrapezohedron(n), vtkSurfaceSubdivision::CATMULL_CLARK, 5, tolerance, found);
     }
@@ -412,7 +413,7 @@ TEST(BezierTolerance, IsKeptByLinesOfSurfaces)
     Found found;
     for (const double tolerance : Tolerances)
     {
-      for (const int n : { 4, 5, 8 })
+      for (const int n : turns::Some({ 4, 5, 8 }))
       {
         const bool isLoop = scheme == vtkSurfaceSubdivision::LOOP;
         const auto surface = ToSurface(isLoop ? MakeBipyramid(n) : MakeTrapezohedron(n));

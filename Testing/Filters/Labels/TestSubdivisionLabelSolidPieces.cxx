@@ -5,6 +5,7 @@
  * image; labels are exact.
  */
 #include "LabelTools.h"
+#include "Turns.h"
 
 #include "vtkTable.h"
 #include "vtkTrivialProducer.h"
@@ -169,7 +170,7 @@ TEST(SubdivisionLabelSolid, BordersOfTheImageAreFlat)
   };
   for (const auto& [cells, size] : { std::pair<int, int>{ 0, 17 }, { 400, 17 }, { 300, 19 } })
   {
-    for (const int levels : { 0, 1, 2 })
+    for (const int levels : turns::Some({ 0, 1, 2 }))
     {
       Made made;
       made->SetNumberOfControlCells(cells);

@@ -4,6 +4,7 @@
 // a step cuts off there, at any distance.
 #include "LimitTools.h"
 #include "TetOctTools.h"
+#include "Turns.h"
 
 #include "Core/Solids/Limits/PlaceLimits.h"
 
@@ -255,7 +256,7 @@ TYPED_TEST(PlaceDerivativesNearCorners, AreThoseOfTheNextLevel)
 {
   for (const std::string& name : GetNamesOfZoo(4))
   {
-    for (const char* options : { "Blend", "Regional", "ModifiedBoundary" })
+    for (const char* options : turns::Some({ "Blend", "Regional", "ModifiedBoundary" }))
     {
       SCOPED_TRACE(name + " " + options);
       NearCorners<TypeParam> places(MakeLevels<TypeParam>(FindInZoo(name), options));

@@ -3,6 +3,7 @@
 // finds by refining, and against what polynomials of the lattice must have.
 #include "LimitTools.h"
 #include "TetOctTools.h"
+#include "Turns.h"
 
 #include "Core/Solids/Limits/BoxSplinePatch.h"
 #include "Core/Solids/Limits/LatticeNames.h"
@@ -160,7 +161,8 @@ TEST(SolidPlaces, RowsAreThoseOfSmallerParts)
   for (const std::string& name : GetNamesOfZoo(8))
   {
     const Mesh mesh = FindInZoo(name);
-    for (const char* options : { "Blend", "Sharp", "Follow2", "LoopWeights", "ModifiedBoundary" })
+    for (const char* options :
+      turns::Some({ "Blend", "Sharp", "Follow2", "LoopWeights", "ModifiedBoundary" }))
     {
       const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
       const auto drawTet = [&]()
@@ -194,7 +196,7 @@ TEST(SolidPlaces, RowsAreThoseOfSmallerParts)
       known += limits.size() + expected.size();
     }
   }
-  EXPECT_GT(known, 700u); // rules that are unknown to this are rare
+  EXPECT_GT(known, turns::GetShare(700u)); // rules that are unknown to this are rare
 }
 
 /// Places whose rows do not read what is semi-sharp are found as if nothing was.
