@@ -54,7 +54,9 @@ class Option:
         self.clean_command = element.get("clean_command")
         self.hidden = element.get("panel_visibility") == "never"
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
-        self.entries = [(entry.get("text"), int(entry.get("value"))) for entry in element.iter("Entry")]
+        entries = [(entry.get("text"), int(entry.get("value")), entry.get("spelling")) for entry in element.iter("Entry")]
+        self.entries = [(text, value) for text, value, spelling in entries if not spelling]
+        self.spellings = [(text, value) for text, value, spelling in entries if spelling]
         self.port = int(element.get("port_index", 0))
         self.count = int(element.get("number_of_elements") or 1)
         self.default = (element.get("default_values") or "").split(element.get("default_values_delimiter"))

@@ -90,6 +90,7 @@ def table(one, filters):
         rest = [repr(option.kind), repr(option.command)]
         rest += [f"clean={option.clean_command!r}"] if option.clean_command else []
         rest += [f"entries={option.entries!r}"] if option.entries else []
+        rest += [f"spellings={option.spellings!r}"] if option.spellings else []
         rest += [f"port={option.port}"] if option.port else []
         rest += [f"index={option.index}, association={option.association}"] if option.kind == "array" else []
         lines.append(f"    {quoted(snake(option.name))}: Option({', '.join(rest)}),\n")

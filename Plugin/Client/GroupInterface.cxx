@@ -2,10 +2,14 @@
 #include "GroupInterface.h"
 
 #include "AddClient.h"
+#include "ArrayWidget.h"
+#include "ChoiceWidget.h"
 #include "CollapsibleGroup.h"
+#include "CountWidget.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 
 #include <QCoreApplication>
@@ -21,6 +25,21 @@ pqPropertyWidget* GroupInterface::createWidgetForPropertyGroup(
 {
   const QString widget = group->GetPanelWidget();
   return widget == "SubdivisionObjectsGroup" ? new CollapsibleGroup(proxy, group, parent) : nullptr;
+}
+
+pqPropertyWidget* GroupInterface::createWidgetForProperty(
+  vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+{
+  const QString widget = property->GetPanelWidget();
+  if (widget == "SubdivisionObjectsCount")
+  {
+    return new CountWidget(proxy, property, parent);
+  }
+  if (ArrayWidget::IsFor(property))
+  {
+    return new ArrayWidget(proxy, property, parent);
+  }
+  return ChoiceWidget::IsFor(property) ? new ChoiceWidget(proxy, property, parent) : nullptr;
 }
 
 void AddClient()

@@ -76,11 +76,12 @@ NUMBERS = {"int": ("whole number", to_index), "id": ("whole number", to_index),
 class Option:
     """An option of a filter, by the name of the argument."""
 
-    def __init__(self, kind, command, clean=None, entries=(), port=0, index=0, association=0):
+    def __init__(self, kind, command, clean=None, entries=(), spellings=(), port=0, index=0, association=0):
         self.kind = kind
         self.command = command
         self.clean = clean
         self.entries = dict(entries)
+        self.spellings = dict(spellings)
         self.port = port
         self.index = index
         self.association = association
@@ -151,7 +152,7 @@ class Option:
             raise ValueError(f"{name}={value} is out of range; the nearest is {get()}")
 
     def entry(self, name, value):
-        for text, number in self.entries.items():
+        for text, number in (*self.entries.items(), *self.spellings.items()):
             if (value == number and not isinstance(value, bool)) or plain(value) == plain(text):
                 return number
         raise ValueError(f"{name} is one of {', '.join(map(repr, self.entries))}, not {value!r}"

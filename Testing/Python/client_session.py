@@ -253,11 +253,11 @@ class Client(unittest.TestCase):
                 texts = list(groups())
                 self.assertEqual((texts[0], texts[7], texts[8]), ("Where an array changes", "To a wanted level", more))
 
-    def test_what_placement_leaves_without_effect_is_hidden(self):
+    def test_what_the_shape_leaves_without_effect_is_hidden(self):
         self.model()
         proxy = choose("menuFilters", "Red-Green Refinement")
         self.assertFalse(sees("GenerateLimitNormals"))
-        proxy.Placement = "Limit"
+        proxy.Shape = "Smooth"
         settle()
         self.assertTrue(sees("GenerateLimitNormals"))
 
@@ -385,6 +385,54 @@ class Client(unittest.TestCase):
         settle()
         self.assertGreater(cells(proxy), first)
         simple.Delete(track)
+
+    def test_lists_have_each_entry_once(self):
+        """Scripts may write entries in several ways; what is chosen reaches the filter with Apply."""
+        choose("menuSources", "Subdivision Model")
+        push("Accept")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        box = shown().findChild(QtWidgets.QWidget, "VolumeScheme").findChild(QtWidgets.QComboBox)
+        self.assertEqual([box.itemText(i) for i in range(box.count())], ["Standard", "Even", "Linear"])
+        push("Accept")
+        box.setCurrentIndex(1)
+        settle()
+        self.assertEqual(proxy.VolumeScheme, "Standard")
+        push("Reset")
+        self.assertEqual(box.currentText(), "Standard")
+        box.setCurrentIndex(1)
+        push("Accept")
+        self.assertEqual(proxy.VolumeScheme, "Even")
+
+    def test_cell_arrays_start_as_none(self):
+        self.model("MaterialBlock")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        boxes = [box for box in shown().findChildren(QtWidgets.QComboBox)
+                 if any(box.itemText(i).startswith("None") for i in range(box.count()))]
+        self.assertGreater(len(boxes), 2)
+        for box in boxes:
+            self.assertEqual(box.currentText(), "None")
+        box = shown().findChild(QtWidgets.QWidget, "SingularArray").findChild(QtWidgets.QComboBox)
+        texts = [box.itemText(i) for i in range(box.count())]
+        self.assertEqual(texts, ["None", "MaterialId", "Singular"])
+        box.textActivated.emit("Singular")
+        push("Reset")
+        self.assertEqual(box.currentText(), "None")
+        box.textActivated.emit("Singular")
+        self.assertEqual(list(proxy.SingularArray), ["CELLS", "None"])
+        push("Accept")
+        self.assertEqual(list(proxy.SingularArray), ["CELLS", "Singular"])
+
+    def test_large_numbers_are_written_out(self):
+        self.model()
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        line = shown().findChild(QtWidgets.QWidget, "MaximumNumberOfCells").findChild(QtWidgets.QLineEdit)
+        self.assertEqual(line.text(), "500,000,000")
+        for typed, number in (("2e6", 2000000), ("12,345", 12345), ("many", 12345)):
+            line.setText(typed)
+            line.editingFinished.emit()
+            push("Accept")
+            self.assertEqual((proxy.MaximumNumberOfCells, line.text()), (number, f"{number:,}"))
 
     def test_topology_is_coloured_by_what_it_computes(self):
         self.model("MixedDimensions")

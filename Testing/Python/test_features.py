@@ -15,17 +15,18 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import subdivisionobjects
 
-ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "RuleArray", "SharpnessArray"]
+ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "JointOfEachCell", "SharpnessArray"]
 CHOICES = {
     "CreaseEnd": ["Corner", "Dart"],
-    "LoopWeights": ["Warren", "Loop"],
-    "EmbeddedCells": ["Follow", "Singular Inside", "Singular"],
+    "LoopWeights": ["Standard", "Original"],
+    "CellsInOtherCells": ["Ignore", "Sharp Inside", "Sharp"],
     "WhereDimensionsMeet": ["Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"],
     "WhereBranchesMeet": ["Blend", "Sharp", "Follow Part"],
     "WhereBoundariesTouch": ["Blend", "Sharp"],
 }
 # The names of the class, where the panel has others.
-NAMES = {"WhereDimensionsMeet": "Type1Rule", "WhereBranchesMeet": "Type2Rule", "WhereBoundariesTouch": "Type3Rule"}
+NAMES = {"CellsInOtherCells": "EmbeddedCells", "CompactIds": "Use32BitIds", "WhereDimensionsMeet": "Type1Rule", "WhereBranchesMeet": "Type2Rule",
+         "WhereBoundariesTouch": "Type3Rule"}
 
 
 def model(name="MaterialBlock"):
@@ -79,16 +80,40 @@ def with_errors(proxy):
             one.RemoveObserver(tag)
 
 
+def without_spellings(prop):
+    """The first name of each number."""
+    numbers = {}
+    for text in prop.Available:
+        numbers.setdefault(prop.ConvertValue(text), text)
+    return list(numbers.values())
+
+
 class Properties(unittest.TestCase):
     def test_choices_and_defaults(self):
         proxy = subdivide(model())
         for name, values in CHOICES.items():
             with self.subTest(name):
-                self.assertEqual(proxy.GetProperty(name).Available, values)
+                self.assertEqual(without_spellings(proxy.GetProperty(name)), values)
                 self.assertEqual(getattr(proxy, name), values[0])
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()
-        for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "Use32BitIds"):
+        for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "CompactIds"):
             self.assertEqual(elements(proxy, name), [getattr(made, "Get" + NAMES.get(name, name))()], name)
+
+    def test_entries_have_several_spellings(self):
+        """Without spaces and signs, and as they were called before; what is told is the first one."""
+        surface = simple.SurfaceSubdivision(Input=simple.Sphere())
+        refinement = simple.RedGreenRefinement(Input=model())
+        for proxy, name, told, others in (
+                (surface, "Scheme", "Catmull-Clark", ["CatmullClark"]), (surface, "Scheme", "Sqrt Three", ["SqrtThree"]),
+                (surface, "LoopWeights", "Original", ["Loop"]), (refinement, "Shape", "Smooth", ["Limit"]),
+                (refinement, "VolumeScheme", "Even", ["Tet/Oct", "TetOct"]),
+                (refinement, "VolumeScheme", "Standard", ["Box Spline", "BoxSpline"]),
+                (refinement, "CellsInOtherCells", "Sharp Inside", ["SharpInside", "Singular Inside", "SingularInside"])):
+            for text in [told] + others:
+                setattr(proxy, name, text)
+                self.assertEqual(getattr(proxy, name), told, text)
+        with self.assertRaises(ValueError):
+            surface.Scheme = "Catmull"
 
     def test_choices_reach_the_filter(self):
         proxy = subdivide(model())
@@ -123,7 +148,7 @@ class Arrays(unittest.TestCase):
             self.assertEqual(elements(proxy, name), [str(i), "0", "0", "1", "None"], name)
 
     def test_a_name_is_enough(self):
-        """So None is one of cells, although panels show "None (?)" then: ParaView knows the entry for points only. But a name
+        """So None is one of cells, although ParaView knows the entry for points only (ArrayWidget). A name
         for points would have ParaView make a point array of the cell array, and the output would have that, too."""
         made = []
         for value in ("MaterialId", ["CELLS", "MaterialId"]):
@@ -142,7 +167,7 @@ class Arrays(unittest.TestCase):
         source.UpdatePipeline()
         proxy = subdivide(source)
         integers = {"None", "MaterialId", "Singular", "Labels"}
-        for name in ("SingularArray", "PartArray", "RuleArray"):
+        for name in ("SingularArray", "PartArray", "JointOfEachCell"):
             self.assertEqual(set(offered(proxy, name)), integers, name)
         self.assertEqual(set(offered(proxy, "MaterialArray")), integers | {"Reals"})
         self.assertEqual(set(offered(proxy, "SharpnessArray")), {"None", "Reals"})
@@ -251,8 +276,8 @@ class Files(unittest.TestCase):
     def test_state(self):
         choices = dict(NumberOfLevels=2, SingularArray=["CELLS", "Singular"], MaterialArray=["CELLS", "MaterialId"],
                        PreserveInterfaces=1, DetectFeatures=1, FeatureAngle=42.0, CreaseEnd="Dart",
-                       LoopWeights="Loop", EmbeddedCells="Singular Inside", WhereDimensionsMeet="Follow Dimension 2",
-                       WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, Use32BitIds=1)
+                       LoopWeights="Original", CellsInOtherCells="Sharp Inside", WhereDimensionsMeet="Follow Dimension 2",
+                       WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, CompactIds=1)
         simple.ResetSession()
         simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
         proxy = subdivide(model("MechanicalPart"), **choices)

@@ -182,9 +182,17 @@ class Proxies(unittest.TestCase):
                 domain = prop.FindDomain("vtkSMEnumerationDomain")
                 setters = [member for member in dir(cls) if member.startswith(f"Set{key}To")]
                 if domain and setters:
-                    texts = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
-                    entries = {f"Set{key}To" + re.sub(r"\W", "", text) for text in texts}
-                    self.assertEqual(entries, set(setters), f"{name}.{key}")
+                    numbers = {}
+                    for i in range(domain.GetNumberOfEntries()):
+                        text = re.sub(r"\W", "", domain.GetEntryText(i))
+                        numbers.setdefault(domain.GetEntryValue(i), set()).add(f"Set{key}To{text}")
+                    for number, spellings in numbers.items():
+                        with self.subTest(f"{name}.{key}", spellings=spellings):
+                            (setter,) = spellings & set(setters)
+                            made = cls()
+                            getattr(made, setter)()
+                            self.assertEqual(getattr(made, f"Get{key}")(), number)
+                    self.assertEqual(len(numbers), len(setters), f"{name}.{key}")
                     named.add(key)
         self.assertLessEqual({"Model", "Scheme", "VolumeScheme", "Placement", "OutsidePoints", "Type1Rule"}, named)
 
@@ -336,10 +344,10 @@ class Proxies(unittest.TestCase):
             found = vtk_to_numpy(updated(made).GetPoints().GetData())
             return found[np.lexsort(np.round(found, 9).T)]  # points of edges have another order in each filter
 
-        plain = points(simple.MultidimensionalSubdivision, ModifiedBoundary=0)
+        plain = points(simple.MultidimensionalSubdivision, SmoothUpToBorders=0)
         modified = points(simple.MultidimensionalSubdivision)
         np.testing.assert_allclose(modified, points(simple.SurfaceSubdivision, Scheme="Loop"), atol=1e-12)
-        np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", ModifiedBoundary=0),
+        np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", SmoothUpToBorders=0),
                                    atol=1e-12)
         self.assertGreater(np.abs(plain - modified).max(), 1e-3)
 
