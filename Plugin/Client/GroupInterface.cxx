@@ -6,6 +6,7 @@
 #include "ChoiceWidget.h"
 #include "CollapsibleGroup.h"
 #include "CountWidget.h"
+#include "SearchWords.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
@@ -48,6 +49,7 @@ void AddClient()
   {
     auto* tracker = core->interfaceTracker();
     tracker->addInterface(new GroupInterface(tracker));
+    SearchWords::Add();
   }
   else if (auto* application = QCoreApplication::instance())
   {

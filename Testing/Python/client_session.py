@@ -16,7 +16,7 @@ if has_qt6:
     from PyQt6 import QtCore, QtGui, QtWidgets
     QAction = QtGui.QAction
 else:
-    from PyQt5 import QtCore, QtWidgets
+    from PyQt5 import QtCore, QtGui, QtWidgets
     QAction = QtWidgets.QAction
 
 simple.LoadPlugin(os.environ["SUBDIVISIONOBJECTS_PLUGIN"], remote=False, ns=vars(simple))
@@ -100,6 +100,29 @@ def choose_with_inputs(label, **inputs):
     if faults:
         raise faults[0]
     return proxy
+
+
+def quick_launch(text, launch=False):
+    """What Ctrl+Space finds: all that it lists, and what it would make. It is made if `launch`."""
+    found = []
+
+    def answer():
+        dialog = application.activeModalWidget()
+        for letter in text:
+            key = QtCore.Qt.Key.Key_Space if letter == " " else QtCore.Qt.Key(ord(letter.upper()))
+            application.sendEvent(dialog, QtGui.QKeyEvent(
+                QtCore.QEvent.Type.KeyPress, key, QtCore.Qt.KeyboardModifier.NoModifier, letter))
+        items = dialog.findChild(QtWidgets.QListWidget)
+        found.append([items.item(i).text() for i in range(items.count())])
+        found.append(items.currentItem().text() if items.currentItem() else None)
+        dialog.accept() if launch else dialog.reject()
+
+    QtCore.QTimer.singleShot(0, answer)
+    (shortcut,) = [one for one in window.findChildren(QtWidgets.QShortcut if not has_qt6 else QtGui.QShortcut)
+                   if one.key().toString() == "Ctrl+Space"]
+    shortcut.activated.emit()
+    settle()
+    return found
 
 
 def show_advanced(wanted):
@@ -433,6 +456,35 @@ class Client(unittest.TestCase):
             line.editingFinished.emit()
             push("Accept")
             self.assertEqual((proxy.MaximumNumberOfCells, line.text()), (number, f"{number:,}"))
+
+    def test_quick_launch_finds_what_people_type(self):
+        self.model()
+        for text, first in (("multi", "Multi-dimensional Subdivision"), ("dimensional", "Multi-dimensional Subdivision"),
+                            ("red green", "Red-Green Refinement"), ("catmull", "Catmull-Clark (Surface Subdivision)"),
+                            ("loop", "Loop (Surface Subdivision)"), ("smooth", "Smooth (Multi-dimensional Subdivision)"),
+                            ("subdivide", "Subdivide (Multi-dimensional Subdivision)")):
+            self.assertEqual(quick_launch(text)[1], first, text)
+        table = simple.ProgrammableSource(OutputDataSetType="vtkTable")
+        table.UpdatePipeline()
+        simple.SetActiveSource(table)
+        settle()
+        self.assertIsNone(quick_launch("surface subdivision")[1])  # greyed
+        self.assertEqual(quick_launch("catmull"), [["Catmull-Clark (Surface Subdivision)"], None])
+
+    def test_quick_launch_chooses_the_scheme(self):
+        sphere = simple.Sphere()
+        sphere.UpdatePipeline()
+        simple.SetActiveSource(sphere)
+        settle()
+        quick_launch("catmull", launch=True)
+        proxy = simple.GetActiveSource()
+        self.assertEqual(proxy.SMProxy.GetXMLName(), "SurfaceSubdivision")
+        box = shown().findChild(QtWidgets.QWidget, "Scheme").findChild(QtWidgets.QComboBox)
+        self.assertEqual(box.currentText(), "Catmull-Clark")
+        push("Accept")
+        self.assertEqual(proxy.Scheme, "Catmull-Clark")
+        kinds = {proxy.GetClientSideObject().GetOutputDataObject(0).GetCellType(i) for i in range(cells(proxy))}
+        self.assertEqual(kinds, {9})  # quads
 
     def test_topology_is_coloured_by_what_it_computes(self):
         self.model("MixedDimensions")
