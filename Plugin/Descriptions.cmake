@@ -13,7 +13,7 @@ function (take_name text variable)
 endfunction ()
 
 # Appends the properties and groups of a proxy to `elements`, without those whose names are in `names`, and adds their
-# names to these. One with override="1" stands where its base has the property. `;` is written as <semicolon>, so that
+# names to these; groups go to `groups`, which stand behind all. One with override="1" stands where its base has the property. `;` is written as <semicolon>, so that
 # texts are no lists.
 function (add_elements body)
   set(start "\n      <")
@@ -53,7 +53,9 @@ function (add_elements body)
         set(element "${override_${name}}")
         unset(override_${name} PARENT_SCOPE)
       endif ()
-      if (name STREQUAL "Input") # the first of the inputs
+      if (tag STREQUAL "PropertyGroup") # may name properties of bases
+        string(APPEND groups "\n${element}")
+      elseif (name STREQUAL "Input") # the first of the inputs
         set(elements "\n${element}${elements}")
       else ()
         string(APPEND elements "\n${element}")
@@ -61,6 +63,7 @@ function (add_elements body)
     endif ()
   endwhile ()
   set(elements "${elements}" PARENT_SCOPE)
+  set(groups "${groups}" PARENT_SCOPE)
   set(names "${names}" PARENT_SCOPE)
 endfunction ()
 
@@ -73,7 +76,15 @@ function (read_proxy name)
     set(file "${descriptions_source}/${name}.xml")
   endif ()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}" "${descriptions_source}/Interpolation.xml.in")
+  set(INTERPOLATION_HINTS "")
+  if (name STREQUAL "RedGreenRefinement") # interpolates where it smooths
+    string(CONCAT INTERPOLATION_HINTS
+      "        <Hints>\n"
+      "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"Placement\" value=\"1\" />\n"
+      "        </Hints>\n")
+  endif ()
   file(READ "${descriptions_source}/Interpolation.xml.in" INTERPOLATION)
+  string(CONFIGURE "${INTERPOLATION}" INTERPOLATION @ONLY)
   file(READ "${file}" text)
   if (text MATCHES "@REFINEMENT@") # the criteria, in front of what else the filter has
     read_proxy(RefinementAlgorithm)
@@ -138,6 +149,7 @@ function (describe variable)
     set(head "${proxy_head}")
     set(tail "${proxy_tail}")
     set(elements "")
+    set(groups "")
     set(names "")
     add_elements("${proxy_body}")
     while (proxy_base)
@@ -145,7 +157,7 @@ function (describe variable)
       add_elements("${proxy_body}")
     endwhile ()
     add_spellings(elements)
-    string(REPLACE "<semicolon>" ";" text "${head}${elements}${tail}")
+    string(REPLACE "<semicolon>" ";" text "${head}${elements}${groups}${tail}")
     file(CONFIGURE OUTPUT "${made}/${name}.xml" CONTENT "${text}" @ONLY)
     list(APPEND descriptions "${made}/${name}.xml")
   endforeach ()

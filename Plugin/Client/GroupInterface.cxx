@@ -6,6 +6,8 @@
 #include "ChoiceWidget.h"
 #include "CollapsibleGroup.h"
 #include "CountWidget.h"
+#include "CriteriaWidget.h"
+#include "PresetWidget.h"
 #include "SearchWords.h"
 
 #include "pqApplicationCore.h"
@@ -25,6 +27,10 @@ pqPropertyWidget* GroupInterface::createWidgetForPropertyGroup(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
 {
   const QString widget = group->GetPanelWidget();
+  if (widget == "SubdivisionObjectsCriteria")
+  {
+    return new CriteriaWidget(proxy, group, parent);
+  }
   return widget == "SubdivisionObjectsGroup" ? new CollapsibleGroup(proxy, group, parent) : nullptr;
 }
 
@@ -35,6 +41,10 @@ pqPropertyWidget* GroupInterface::createWidgetForProperty(
   if (widget == "SubdivisionObjectsCount")
   {
     return new CountWidget(proxy, property, parent);
+  }
+  if (widget == "SubdivisionObjectsPresets")
+  {
+    return new PresetWidget(proxy, property, parent);
   }
   if (ArrayWidget::IsFor(property))
   {

@@ -239,7 +239,7 @@ class Options(unittest.TestCase):
         cells = [[0, 1, 2, 3]]
         for error, text, options in (
                 (TypeError, "levles", {"levles": 3}),
-                (ValueError, "Tet/Oct", {"scheme": "tetrahedral"}),
+                (ValueError, "Even", {"scheme": "tetrahedral"}),
                 (ValueError, "the nearest is 20", {"levels": 21}),
                 (RuntimeError, "maximum_number_of_cells = 10", {"levels": 3, "maximum_cells": 10})):
             with self.assertRaisesRegex(error, text):
