@@ -13,8 +13,9 @@ function (take_name text variable)
 endfunction ()
 
 # Appends the properties and groups of a proxy to `elements`, without those whose names are in `names`, and adds their
-# names to these; groups go to `groups`, which stand behind all. One with override="1" stands where its base has the property. `;` is written as <semicolon>, so that
-# texts are no lists.
+# names to these. One with override="1" stands where its base has the property. Groups go to `groups`, which stand behind
+# all, and properties with first="1" to `first`, which stand behind those of the filter itself. `;` is written as
+# <semicolon>, so that texts are no lists.
 function (add_elements body)
   set(start "\n      <")
   while (TRUE)
@@ -55,6 +56,9 @@ function (add_elements body)
       endif ()
       if (tag STREQUAL "PropertyGroup") # may name properties of bases
         string(APPEND groups "\n${element}")
+      elseif (element MATCHES "\n *first=\"1\"") # of what filters share
+        string(REPLACE "${CMAKE_MATCH_0}" "" element "${element}")
+        string(APPEND first "\n${element}")
       elseif (name STREQUAL "Input") # the first of the inputs
         set(elements "\n${element}${elements}")
       else ()
@@ -64,6 +68,7 @@ function (add_elements body)
   endwhile ()
   set(elements "${elements}" PARENT_SCOPE)
   set(groups "${groups}" PARENT_SCOPE)
+  set(first "${first}" PARENT_SCOPE)
   set(names "${names}" PARENT_SCOPE)
 endfunction ()
 
@@ -150,12 +155,15 @@ function (describe variable)
     set(tail "${proxy_tail}")
     set(elements "")
     set(groups "")
+    set(first "")
     set(names "")
     add_elements("${proxy_body}")
+    string(APPEND elements "<first>")
     while (proxy_base)
       read_proxy("${proxy_base}")
       add_elements("${proxy_body}")
     endwhile ()
+    string(REPLACE "<first>" "${first}" elements "${elements}")
     add_spellings(elements)
     string(REPLACE "<semicolon>" ";" text "${head}${elements}${groups}${tail}")
     file(CONFIGURE OUTPUT "${made}/${name}.xml" CONTENT "${text}" @ONLY)

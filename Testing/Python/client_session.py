@@ -337,6 +337,10 @@ class Client(unittest.TestCase):
         heading("Sharp features").click()
         settle()
         self.assertFalse(sees("MarkCorners"))  # there are no marks
+        self.assertTrue(sees("DetectFeatures"))
+        heights = {name: shown().findChild(QtWidgets.QWidget, name).mapTo(panel, QtCore.QPoint(0, 0)).y()
+                   for name in ("DetectFeatures", "MarkSelection", "MarksArray", "SingularArray")}
+        self.assertEqual(min(heights, key=heights.get), "DetectFeatures")  # what most people look for
         proxy.MarkSelection = selection()
         simple.SetActiveSource(proxy)
         settle()

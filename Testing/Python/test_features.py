@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import numpy as np
 import tools
@@ -284,13 +285,28 @@ class Files(unittest.TestCase):
         wanted = {name: elements(proxy, name) for name in (*choices, *ARRAYS)}
         shape = tools.numbers(updated(proxy))
         servermanager.SaveState("features.pvsm")
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        simple.LoadState("features.pvsm")
-        found = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
-        self.assertEqual(len(found), 1)
-        self.assertEqual({name: elements(found[0], name) for name in wanted}, wanted)
-        self.assertEqual(tools.numbers(updated(found[0])), shape)
+        self.write_as_before("features.pvsm", "older.pvsm")
+        for state in ("features.pvsm", "older.pvsm"):
+            simple.ResetSession()
+            simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+            simple.LoadState(state)
+            found = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
+            self.assertEqual(len(found), 1)
+            self.assertEqual({name: elements(found[0], name) for name in wanted}, wanted)
+            self.assertEqual(tools.numbers(updated(found[0])), shape)
+
+    def write_as_before(self, state, older):
+        """As it was before the panel had presets and other words: names of properties and numbers are all that counts."""
+        tree = ElementTree.parse(state)
+        (proxy,) = [one for one in tree.iter("Proxy") if one.get("type") == "MultiDimensionalSubdivision"]
+        names = {element.get("name") for element in proxy.iter("Property")}
+        self.assertLessEqual({"EmbeddedCells", "Use32BitIds", "LoopWeights", "Type1Rule", "RuleArray"}, names)
+        for element in proxy.findall("Property"):
+            if element.get("name") == "Preset":
+                proxy.remove(element)
+            for domain in element.findall("Domain"):
+                element.remove(domain)
+        tree.write(older)
 
     def test_preset(self):
         with tempfile.TemporaryDirectory() as home:  # of a user who never imported it
