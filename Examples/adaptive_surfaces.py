@@ -76,7 +76,7 @@ def sqrt3(surface, tolerance):
 
 def loop(surface, tolerance):
     return simple.RedGreenRefinement(
-        Input=surface, Placement="Limit", RefineByAttributeError=0, RefineByGeometricError=1,
+        Input=surface, Shape="Smooth", RefineByAttributeError=0, RefineByGeometricError=1,
         GeometricTolerance=tolerance, MaximumLevel=20, MaximumNumberOfCells=MOST, OutputPointsPrecision="Double")
 
 

@@ -242,9 +242,9 @@ def embedded():
     mesh.sheet(lambda u, v: bend((u, v, 1)), 4, 3, part=1)
     grid = mesh.grid()
     figure = Figure("embedded", "A surface in a solid", grid, (0.4, -1.0, 0.55))
-    for rule in ("Follow", "Singular Inside"):
-        solids = look.of_types(subdivide(grid, EmbeddedCells=rule), VTK_TETRA)
-        figure.add(f"EmbeddedCells: {rule}\n(what is below it)", only_cells(solids, "MaterialId", 0), rules=False)
+    for rule in ("Ignore", "Sharp Inside"):
+        solids = look.of_types(subdivide(grid, CellsInOtherCells=rule), VTK_TETRA)
+        figure.add(f"CellsInOtherCells: {rule}\n(what is below it)", only_cells(solids, "MaterialId", 0), rules=False)
     return figure
 
 

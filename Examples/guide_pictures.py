@@ -46,7 +46,7 @@ def levels():
 def volume_schemes():
     grid = ball().grid()
     figure = Figure("volume_schemes", "8 hexahedra", grid, (0.35, -1.0, 0.4))
-    for words, options in (("Box Spline", {}), ("Tet/Oct", {"VolumeScheme": "Tet/Oct"}),
+    for words, options in (("Standard", {}), ("Even", {"VolumeScheme": "Even"}),
                            ("Linear", {"VolumeScheme": "Linear"}),
                            ("Linear,\nKeepCellTypes", {"VolumeScheme": "Linear", "KeepCellTypes": 1})):
         figure.add_cut(words, subdivide(grid, 2, **options), (0.0, -1.0, 0.0), edges=True)
@@ -124,10 +124,10 @@ def rules_by_region():
     grid = mesh.grid()
     right = vtk_to_numpy(grid.GetCellData().GetArray("MaterialId")) == 3
     figure = Figure("rules_by_region", "Two sheets on a block", grid, (0.55, -1.0, 0.45))
-    for words, rule in (("no RuleArray:\nboth blend", 0), ("RuleArray: 2 (Sharp)\nin the right sheet", 2),
-                        ("RuleArray: 5 (Follow Dimension 3)\nin the right sheet", 5)):
+    for words, rule in (("no JointOfEachCell:\nboth blend", 0), ("JointOfEachCell: 2 (Sharp)\nin the right sheet", 2),
+                        ("JointOfEachCell: 5 (Follow Dimension 3)\nin the right sheet", 5)):
         add_array(grid.GetCellData(), "Rule", np.where(right, rule, 0).astype(np.int32))
-        figure.add(words, subdivide(grid, RuleArray=["CELLS", "Rule"]))
+        figure.add(words, subdivide(grid, JointOfEachCell=["CELLS", "Rule"]))
     figure.write()
 
 
@@ -197,7 +197,7 @@ def interface_values():
     shown = []
     for words, grid, options in (
             ("Continuous", continuous, {}),
-            ("Discontinuous", jumping, {"InterfaceValues": "Discontinuous", "FieldsOfCells": ["Density"]})):
+            ("Discontinuous", jumping, {"InterfaceValues": "Discontinuous", "CellArraysToSmooth": ["Density"]})):
         made = subdivide(grid, 3, PreserveInterfaces=1, **options)
         plane = look.middle_plane(look.used_points(made), (0.0, -1.0, 0.0))
         actors = []
@@ -320,13 +320,13 @@ def concave_sheet():
 def corners():
     """What arrays of points say of the concave corner."""
     shown = []
-    for words, arrays in (("default", {}), ("Angle 90", {"CornerAngle": 90.0}), ("Flatness 0.5", {"Flatness": 0.5}),
-                          ("Flatness 1", {"Flatness": 1.0})):
+    for words, arrays in (("default", {}), ("Angle 90", {"CornerAngles": 90.0}), ("Flatness 0.5", {"CornerFlatness": 0.5}),
+                          ("Flatness 1", {"CornerFlatness": 1.0})):
         control = concave_sheet()
         options = {}
         for name, value in arrays.items():
             add_array(control.GetPointData(), name, np.full(control.GetNumberOfPoints(), value))
-            options[f"{name}Array"] = ["POINTS", name]
+            options[name] = ["POINTS", name]
         shown.append(surface_picture(words, surface(control, Scheme="Catmull-Clark", **options)))
     write("surface_corners", shown, (0.3, -1.0, 1.2), 4)
 
@@ -335,8 +335,8 @@ def boundary():
     control = concave_sheet()
     shown = [surface_picture("control mesh with\na concave corner", control, True)]
     for value in (1, 0):
-        shown.append(surface_picture(f"ModifiedBoundary {value}", surface(
-            control, Scheme="Catmull-Clark", ModifiedBoundary=value)))
+        shown.append(surface_picture(f"SmoothUpToBorders {value}", surface(
+            control, Scheme="Catmull-Clark", SmoothUpToBorders=value)))
     write("surface_boundary", shown, (0.3, -1.0, 1.2))
 
 
@@ -367,7 +367,7 @@ def criteria():
     add_array(grid.GetCellData(), "WantedLevel", np.where(near < np.quantile(near, 0.3), 2, 0).astype(np.int32))
     shown = [("control mesh", grid)]
     for name, options in CRITERIA:
-        placement = {} if name == "RefineByEdgeLength" else {"Placement": "Limit"}
+        placement = {} if name == "RefineByEdgeLength" else {"Shape": "Smooth"}
         shown.append((name, refined(simple.RedGreenRefinement, source, name, options, **placement)))
     name = "RefineByWantedLevel"
     shown.append((name, refined(simple.RedGreenRefinement, source_of(grid), name, {})))

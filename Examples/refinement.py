@@ -106,7 +106,7 @@ def screw():
         # The criterion is on the safe side: what it allows may be more than what is found.
         for factor in (1.3, 1.2, 1.1, 1.0):
             grid, seconds = updated(simple.RedGreenRefinement(
-                Input=source, RefineByAttributeError=0, RefineByGeometricError=1, Placement="Limit",
+                Input=source, RefineByAttributeError=0, RefineByGeometricError=1, Shape="Smooth",
                 GeometricTolerance=factor * error, RelativeTolerance=0, MaximumLevel=8))
             ours = distance(exact, grid)
             if ours <= error:

@@ -209,10 +209,10 @@ def modified_boundary():
     """A point of a border in many triangles: by the plain rules there is a crease in the middle."""
     net = border_fan(9)
     shown = []
-    for words, modified in (("ModifiedBoundary: Off", 0), ("ModifiedBoundary: On", 1)):
+    for words, modified in (("SmoothUpToBorders: Off", 0), ("SmoothUpToBorders: On", 1)):
         found = output(simple.MultidimensionalSubdivision(
             Input=source_of(net), NumberOfLevels=5, ProjectToLimit=1, GenerateLimitNormals=1,
-            ModifiedBoundary=modified))
+            SmoothUpToBorders=modified))
         points = points_of(found)
         near = np.flatnonzero(np.linalg.norm(points - points[0], axis=1) < 0.3)
         bristles = normals_at(found, near[::3], 0.25)

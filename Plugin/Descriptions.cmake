@@ -13,8 +13,9 @@ function (take_name text variable)
 endfunction ()
 
 # Appends the properties and groups of a proxy to `elements`, without those whose names are in `names`, and adds their
-# names to these. One with override="1" stands where its base has the property. `;` is written as <semicolon>, so that
-# texts are no lists.
+# names to these. One with override="1" stands where its base has the property. Groups go to `groups`, which stand behind
+# all, and properties with first="1" to `first`, which stand behind those of the filter itself. `;` is written as
+# <semicolon>, so that texts are no lists.
 function (add_elements body)
   set(start "\n      <")
   while (TRUE)
@@ -53,7 +54,12 @@ function (add_elements body)
         set(element "${override_${name}}")
         unset(override_${name} PARENT_SCOPE)
       endif ()
-      if (name STREQUAL "Input") # the first of the inputs
+      if (tag STREQUAL "PropertyGroup") # may name properties of bases
+        string(APPEND groups "\n${element}")
+      elseif (element MATCHES "\n *first=\"1\"") # of what filters share
+        string(REPLACE "${CMAKE_MATCH_0}" "" element "${element}")
+        string(APPEND first "\n${element}")
+      elseif (name STREQUAL "Input") # the first of the inputs
         set(elements "\n${element}${elements}")
       else ()
         string(APPEND elements "\n${element}")
@@ -61,6 +67,8 @@ function (add_elements body)
     endif ()
   endwhile ()
   set(elements "${elements}" PARENT_SCOPE)
+  set(groups "${groups}" PARENT_SCOPE)
+  set(first "${first}" PARENT_SCOPE)
   set(names "${names}" PARENT_SCOPE)
 endfunction ()
 
@@ -73,7 +81,15 @@ function (read_proxy name)
     set(file "${descriptions_source}/${name}.xml")
   endif ()
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}" "${descriptions_source}/Interpolation.xml.in")
+  set(INTERPOLATION_HINTS "")
+  if (name STREQUAL "RedGreenRefinement") # interpolates where it smooths
+    string(CONCAT INTERPOLATION_HINTS
+      "        <Hints>\n"
+      "          <PropertyWidgetDecorator type=\"GenericDecorator\" mode=\"visibility\" property=\"Placement\" value=\"1\" />\n"
+      "        </Hints>\n")
+  endif ()
   file(READ "${descriptions_source}/Interpolation.xml.in" INTERPOLATION)
+  string(CONFIGURE "${INTERPOLATION}" INTERPOLATION @ONLY)
   file(READ "${file}" text)
   if (text MATCHES "@REFINEMENT@") # the criteria, in front of what else the filter has
     read_proxy(RefinementAlgorithm)
@@ -102,6 +118,32 @@ function (read_proxy name)
   endforeach ()
 endfunction ()
 
+# Further spellings of the entries of a text: the names in `also`, which older scripts have, and all names without
+# spaces and signs ("CatmullClark"). ParaView knows a number by its first entry.
+function (add_spellings variable)
+  set(text "${${variable}}")
+  string(REGEX MATCHALL "\n *<Entry [^>]*/>" entries "${text}")
+  list(REMOVE_DUPLICATES entries)
+  foreach (entry IN LISTS entries)
+    string(REGEX REPLACE ".* text=\"([^\"]*)\".*" "\\1" name "${entry}")
+    string(REGEX REPLACE ".* value=\"([^\"]*)\".*" "\\1" value "${entry}")
+    set(names "${name}")
+    if (entry MATCHES " also=\"([^\"]*)\"")
+      list(APPEND names "${CMAKE_MATCH_1}")
+    endif ()
+    string(REGEX REPLACE "[^A-Za-z0-9;]" "" plain "${names}")
+    list(APPEND names ${plain})
+    list(REMOVE_DUPLICATES names)
+    list(REMOVE_ITEM names "${name}")
+    set(all "${entry}")
+    foreach (spelling IN LISTS names)
+      string(APPEND all "\n          <Entry text=\"${spelling}\" value=\"${value}\" spelling=\"1\" />")
+    endforeach ()
+    string(REPLACE "${entry}" "${all}" text "${text}")
+  endforeach ()
+  set(${variable} "${text}" PARENT_SCOPE)
+endfunction ()
+
 function (describe variable)
   set(made "${PROJECT_BINARY_DIR}/Descriptions")
   set(descriptions)
@@ -112,13 +154,18 @@ function (describe variable)
     set(head "${proxy_head}")
     set(tail "${proxy_tail}")
     set(elements "")
+    set(groups "")
+    set(first "")
     set(names "")
     add_elements("${proxy_body}")
+    string(APPEND elements "<first>")
     while (proxy_base)
       read_proxy("${proxy_base}")
       add_elements("${proxy_body}")
     endwhile ()
-    string(REPLACE "<semicolon>" ";" text "${head}${elements}${tail}")
+    string(REPLACE "<first>" "${first}" elements "${elements}")
+    add_spellings(elements)
+    string(REPLACE "<semicolon>" ";" text "${head}${elements}${groups}${tail}")
     file(CONFIGURE OUTPUT "${made}/${name}.xml" CONTENT "${text}" @ONLY)
     list(APPEND descriptions "${made}/${name}.xml")
   endforeach ()

@@ -52,7 +52,7 @@ class Option:
         # Panels show numbers of 64 bits as doubles only.
         self.command, self.is_id = re.subn("AsDouble$", "", element.get("command"))
         self.clean_command = element.get("clean_command")
-        self.hidden = element.get("panel_visibility") == "never"
+        self.hidden = element.get("unused") == "1"  # programs have all others, also those that panels leave out
         self.help = " ".join(paragraphs(element.findtext("Documentation", "")))
         entries = [(entry.get("text"), int(entry.get("value")), entry.get("spelling")) for entry in element.iter("Entry")]
         self.entries = [(text, value) for text, value, spelling in entries if not spelling]

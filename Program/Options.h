@@ -52,6 +52,7 @@ struct Option
   const char* Default;
   int Count; ///< of numbers
   std::vector<std::pair<const char*, int>> Entries;
+  std::vector<std::pair<const char*, int>> Spellings; ///< more names of entries
   int Port;        ///< of another input, or of that which an array belongs to
   int Index;       ///< of an array
   int Association; ///< of an array, unless the input has it elsewhere

@@ -97,7 +97,9 @@ void SetNumbers(vtkAlgorithm* filter, const Option& option, const std::vector<do
 double ToEntry(const Option& option, const std::string& text)
 {
   std::vector<std::string> names;
-  for (const auto& entry : option.Entries)
+  auto entries = option.Entries;
+  entries.insert(entries.end(), option.Spellings.begin(), option.Spellings.end());
+  for (const auto& entry : entries)
   {
     if (Plain(entry.first) == Plain(text) || std::to_string(entry.second) == text)
     {

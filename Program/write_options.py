@@ -59,11 +59,12 @@ def name_in_messages(one):
 
 
 def option_lines(one, option):
-    entries = ", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in option.entries)
+    entries, spellings = (", ".join(f"{{ {quoted(text)}, {value} }}" for text, value in pairs)
+                          for pairs in (option.entries, option.spellings))
     array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
     return f"""  made.Options.push_back({{ {quoted(option.name)}, {quoted(option.label)}, {quoted(options.split(option.name, '-'))},
     {quoted(options.split(option.alias, '-'))}, Kind::{KINDS[option.kind]}, {quoted(option.help)},
-    {quoted(default(option))}, {option.count}, {{ {entries} }}, {option.port}, {array},
+    {quoted(default(option))}, {option.count}, {{ {entries} }}, {{ {spellings} }}, {option.port}, {array},
     {setter(one, option)},
     {getter(one, option)}, {LIMITS.get(option.kind, "std::numeric_limits<double>::max()")} }});
 """

@@ -10,7 +10,9 @@
 #include "vtkPVXMLElement.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMUncheckedPropertyHelper.h"
 #include "vtkSMVectorProperty.h"
 
 #include <QCoreApplication>
@@ -22,6 +24,27 @@
 
 namespace
 {
+// What a property is traced with: a trace records inputs even where there are none. So these are
+// "never" in the panel, and thus in traces, until the other property says that they are used.
+const char* TracedIf(vtkSMProperty* property)
+{
+  auto* hints = property->GetHints();
+  auto* hint = hints ? hints->FindNestedElementByName("TracedIf") : nullptr;
+  return hint ? hint->GetAttribute("property") : nullptr;
+}
+
+bool HasProxy(const vtkSMPropertyHelper& helper)
+{
+  return helper.GetNumberOfElements() > 0 && helper.GetAsProxy();
+}
+
+// Neither was anything, nor is it to be.
+bool IsUnusedInput(vtkSMProperty* property)
+{
+  return property && TracedIf(property) && !HasProxy(vtkSMPropertyHelper(property)) &&
+    !HasProxy(vtkSMUncheckedPropertyHelper(property));
+}
+
 // A pqProxyWidget shows all properties that it is given, those that a filter withdrew ("never"),
 // too.
 QStringList ShownProperties(vtkSMProxy* proxy, vtkSMPropertyGroup* group)
@@ -31,7 +54,7 @@ QStringList ShownProperties(vtkSMProxy* proxy, vtkSMPropertyGroup* group)
   {
     auto* property = group->GetProperty(i);
     const char* visibility = property->GetPanelVisibility();
-    if (!visibility || std::strcmp(visibility, "never") != 0)
+    if (!visibility || std::strcmp(visibility, "never") != 0 || TracedIf(property))
     {
       names << proxy->GetPropertyName(property);
     }
@@ -99,6 +122,7 @@ CollapsibleGroup::CollapsibleGroup(vtkSMProxy* proxy, vtkSMPropertyGroup* group,
     this->Properties, &pqProxyWidget::restartRequired, this, &pqPropertyWidget::restartRequired);
   this->followDecorators();
   this->updateHeading();
+  this->updateTrace();
 }
 
 // Where another property hides all of a group, its heading is to go, too.
@@ -120,9 +144,14 @@ void CollapsibleGroup::apply()
   for (auto* widget :
     this->Properties->findChildren<pqPropertyWidget*>(QString(), Qt::FindDirectChildrenOnly))
   {
+    if (IsUnusedInput(widget->property())) // which ParaView would set, and trace, all the same
+    {
+      continue;
+    }
     widget->apply();
   }
   this->updateHeading();
+  this->updateTrace();
 }
 
 void CollapsibleGroup::reset()
@@ -174,6 +203,19 @@ void CollapsibleGroup::updateHeading()
 {
   this->Heading->setText(
     HasChanges(this->propertyGroup()) ? this->Label + " (changed)" : this->Label);
+}
+
+void CollapsibleGroup::updateTrace()
+{
+  auto* group = this->propertyGroup();
+  for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
+  {
+    if (const char* name = TracedIf(group->GetProperty(i)))
+    {
+      const bool isUsed = HasProxy(vtkSMPropertyHelper(this->proxy(), name));
+      group->GetProperty(i)->SetPanelVisibility(isUsed ? "advanced" : "never");
+    }
+  }
 }
 
 void CollapsibleGroup::toggle(bool open)

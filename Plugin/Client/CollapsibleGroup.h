@@ -39,6 +39,7 @@ private:
   void followDecorators();
   void arrange();
   void updateHeading();
+  void updateTrace();
   void toggle(bool open);
 
   pqProxyWidget* Properties;

@@ -2,10 +2,17 @@
 #include "GroupInterface.h"
 
 #include "AddClient.h"
+#include "ArrayWidget.h"
+#include "ChoiceWidget.h"
 #include "CollapsibleGroup.h"
+#include "CountWidget.h"
+#include "CriteriaWidget.h"
+#include "PresetWidget.h"
+#include "SearchWords.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
+#include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
 
 #include <QCoreApplication>
@@ -20,7 +27,30 @@ pqPropertyWidget* GroupInterface::createWidgetForPropertyGroup(
   vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
 {
   const QString widget = group->GetPanelWidget();
+  if (widget == "SubdivisionObjectsCriteria")
+  {
+    return new CriteriaWidget(proxy, group, parent);
+  }
   return widget == "SubdivisionObjectsGroup" ? new CollapsibleGroup(proxy, group, parent) : nullptr;
+}
+
+pqPropertyWidget* GroupInterface::createWidgetForProperty(
+  vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent)
+{
+  const QString widget = property->GetPanelWidget();
+  if (widget == "SubdivisionObjectsCount")
+  {
+    return new CountWidget(proxy, property, parent);
+  }
+  if (widget == "SubdivisionObjectsPresets")
+  {
+    return new PresetWidget(proxy, property, parent);
+  }
+  if (ArrayWidget::IsFor(property))
+  {
+    return new ArrayWidget(proxy, property, parent);
+  }
+  return ChoiceWidget::IsFor(property) ? new ChoiceWidget(proxy, property, parent) : nullptr;
 }
 
 void AddClient()
@@ -29,6 +59,7 @@ void AddClient()
   {
     auto* tracker = core->interfaceTracker();
     tracker->addInterface(new GroupInterface(tracker));
+    SearchWords::Add();
   }
   else if (auto* application = QCoreApplication::instance())
   {

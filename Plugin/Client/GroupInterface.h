@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GroupInterface.h
- * How ParaView's client finds the widget of collapsible groups.
+ * How ParaView's client finds the widgets of this folder.
  */
 #ifndef SubdivisionObjects_GroupInterface_h
 #define SubdivisionObjects_GroupInterface_h
@@ -19,6 +19,8 @@ class GroupInterface
 public:
   explicit GroupInterface(QObject* parent);
 
+  pqPropertyWidget* createWidgetForProperty(
+    vtkSMProxy* proxy, vtkSMProperty* property, QWidget* parent) override;
   pqPropertyWidget* createWidgetForPropertyGroup(
     vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent) override;
 };

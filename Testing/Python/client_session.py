@@ -16,7 +16,7 @@ if has_qt6:
     from PyQt6 import QtCore, QtGui, QtWidgets
     QAction = QtGui.QAction
 else:
-    from PyQt5 import QtCore, QtWidgets
+    from PyQt5 import QtCore, QtGui, QtWidgets
     QAction = QtWidgets.QAction
 
 simple.LoadPlugin(os.environ["SUBDIVISIONOBJECTS_PLUGIN"], remote=False, ns=vars(simple))
@@ -102,6 +102,29 @@ def choose_with_inputs(label, **inputs):
     return proxy
 
 
+def quick_launch(text, launch=False):
+    """What Ctrl+Space finds: all that it lists, and what it would make. It is made if `launch`."""
+    found = []
+
+    def answer():
+        dialog = application.activeModalWidget()
+        for letter in text:
+            key = QtCore.Qt.Key.Key_Space if letter == " " else QtCore.Qt.Key(ord(letter.upper()))
+            application.sendEvent(dialog, QtGui.QKeyEvent(
+                QtCore.QEvent.Type.KeyPress, key, QtCore.Qt.KeyboardModifier.NoModifier, letter))
+        items = dialog.findChild(QtWidgets.QListWidget)
+        found.append([items.item(i).text() for i in range(items.count())])
+        found.append(items.currentItem().text() if items.currentItem() else None)
+        dialog.accept() if launch else dialog.reject()
+
+    QtCore.QTimer.singleShot(0, answer)
+    (shortcut,) = [one for one in window.findChildren(QtWidgets.QShortcut if not has_qt6 else QtGui.QShortcut)
+                   if one.key().toString() == "Ctrl+Space"]
+    shortcut.activated.emit()
+    settle()
+    return found
+
+
 def show_advanced(wanted):
     (button,) = [button for button in search.findChildren(QtWidgets.QToolButton) if button.isCheckable()]
     if button.isChecked() != wanted:
@@ -133,6 +156,12 @@ def heading(text):
 def sees(name):
     """Whether the widget of a property can be seen."""
     return any(widget.isVisible() for widget in shown().findChildren(QtWidgets.QWidget, name))
+
+
+def selection():
+    """Two points, as what is copied from a view."""
+    ids = simple.IDSelectionSource(IDs=[0, 0, 0, 1], FieldType="POINT")
+    return servermanager.filters.AppendSelections(Input=[ids], SelectionNames=["s"], Expression="s")
 
 
 def picture(name):
@@ -240,24 +269,144 @@ class Client(unittest.TestCase):
         show_advanced(True)
         picture("Subdivision Limit Probe advanced")
 
-    def test_criteria_stand_before_other_groups(self):
+    def test_refine_by_stands_first_and_the_rest_follows(self):
+        """One list of criteria; what belongs to others is hidden."""
         model = self.model()
         sphere = simple.Sphere()
-        for label, more, source in (("Red-Green Refinement", "Interpolation", model),
-                                    ("Adaptive Surface Subdivision", "Memory", sphere)):
-            with self.subTest(label):
-                simple.SetActiveSource(source)
+        options = {"AttributeError": "AttributeTolerance", "ArrayRange": "ArrayRange", "Selection": "Selection",
+                   "Function": "ImplicitFunction", "EdgeLength": "MaximumEdgeLength", "Curvature": "MaximumAngle",
+                   "GeometricError": "GeometricTolerance", "WantedLevel": "WantedLevelArray"}
+        for label, source in (("Red-Green Refinement", model), ("Adaptive Surface Subdivision", sphere)):
+            simple.SetActiveSource(source)
+            settle()
+            choose("menuFilters", label)
+            boxes = {name: shown().findChild(QtWidgets.QCheckBox, "RefineBy" + name) for name in options}
+            first = min((box for box in shown().findChildren(QtWidgets.QCheckBox) if box.isVisible()),
+                        key=lambda box: box.mapTo(panel, QtCore.QPoint(0, 0)).y())
+            self.assertIn(first, boxes.values())
+            self.assertEqual(boxes["EdgeLength"].text(), "Edge Length")
+            for name, box in boxes.items():
+                for other in boxes.values():
+                    other.setChecked(other is box)
                 settle()
-                choose("menuFilters", label)
-                show_advanced(True)
-                texts = list(groups())
-                self.assertEqual((texts[0], texts[7], texts[8]), ("Where an array changes", "To a wanted level", more))
+                self.assertEqual([one for one, option in options.items() if sees(option)], [name], label)
+                self.assertLessEqual(self.options_in_sight(), 10, f"{label}, {name}")
 
-    def test_what_placement_leaves_without_effect_is_hidden(self):
+    def options_in_sight(self):
+        """How many options the panel shows, with all its groups open: the criteria are one list."""
+        widgets = [widget for widget in shown().findChildren(QtWidgets.QWidget) if widget.inherits("pqPropertyWidget")
+                   and widget.isVisible() and not widget.inherits("pqPropertyGroupWidget")]
+        count = sum(1 for widget in widgets
+                    if not any(child.inherits("pqPropertyWidget") for child in widget.findChildren(QtWidgets.QWidget)))
+        return count
+
+    def test_panels_are_short(self):
+        """The options that can be seen without the gear, and those that can be seen with it, all groups open."""
+        model = self.model("MaterialBlock")
+        sphere = simple.Sphere()
+        for label, source, most in (("Multi-dimensional Subdivision", model, 8), ("Surface Subdivision", sphere, 7),
+                                    ("Red-Green Refinement", model, 10)):
+            simple.SetActiveSource(source)
+            settle()
+            choose("menuFilters", label)
+            for advanced, limit in ((False, most), (True, most + 30)):
+                show_advanced(advanced)
+                opened = [text for text, is_open in groups().items() if not is_open]
+                for text in opened:
+                    heading(text).click()
+                    settle()
+                self.assertTrue(all(groups().values()))
+                self.assertLessEqual(self.options_in_sight(), limit, f"{label}, gear {advanced}")
+                self.assertGreater(self.options_in_sight(), limit / 3)
+                for text in opened:
+                    heading(text).click()
+                    settle()
+            show_advanced(False)
+
+    def test_what_a_scheme_ignores_is_hidden(self):
+        sphere = simple.Sphere()
+        sphere.UpdatePipeline()
+        simple.SetActiveSource(sphere)
+        settle()
+        proxy = choose("menuFilters", "Surface Subdivision")
+        show_advanced(True)
+        for scheme, shows in (("Loop", (True, True)), ("Modified Butterfly", (True, False)), ("Doo-Sabin", (False, False))):
+            proxy.Scheme = scheme
+            settle()
+            self.assertEqual((sees("JoinSeams"), sees("OutputCells")), shows, scheme)
+        heading("Sharp features").click()
+        settle()
+        self.assertFalse(sees("MarkCorners"))  # there are no marks
+        self.assertTrue(sees("DetectFeatures"))
+        heights = {name: shown().findChild(QtWidgets.QWidget, name).mapTo(panel, QtCore.QPoint(0, 0)).y()
+                   for name in ("DetectFeatures", "MarkSelection", "MarksArray", "SingularArray")}
+        self.assertEqual(min(heights, key=heights.get), "DetectFeatures")  # what most people look for
+        proxy.MarkSelection = selection()
+        simple.SetActiveSource(proxy)
+        settle()
+        self.assertTrue(sees("MarkCorners"))
+        heading("Sharp features").click()
+        settle()
+
+    def test_presets_set_and_show_options(self):
+        self.model("MaterialBlock")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        box = shown().findChild(QtWidgets.QWidget, "Preset").findChild(QtWidgets.QComboBox)
+        first = min((one for one in shown().findChildren(QtWidgets.QComboBox) if one.isVisible()),
+                    key=lambda one: one.mapTo(panel, QtCore.QPoint(0, 0)).y())
+        self.assertIs(first, box)
+        self.assertEqual(box.currentText(), "Organic")
+        push("Accept")
+        plain = cells(proxy)
+        picked = {"CAD part: keep sharp edges": {"DetectFeatures": 1},
+                  "Through my points": {"InterpolatePoints": 1},
+                  "For volume rendering": {"OutputDimensions": ["Tetrahedra"]}, "Exact split": {"VolumeScheme": "Linear"},
+                  "Organic": {}}
+        plain_values = {"DetectFeatures": 0, "InterpolatePoints": 0, "VolumeScheme": "Standard",
+                        "OutputDimensions": ["Vertices", "Lines", "Triangles", "Tetrahedra"]}
+        for text, changed in picked.items():
+            box.setCurrentIndex(box.findText(text))
+            box.activated.emit(box.findText(text))
+            settle()
+            check = shown().findChild(QtWidgets.QWidget, "InterpolatePoints").findChild(QtWidgets.QCheckBox)
+            self.assertEqual(check.isChecked(), text == "Through my points")  # before Apply
+            push("Accept")
+            for name, value in {**plain_values, **changed}.items():
+                found = getattr(proxy, name)
+                self.assertEqual(list(found) if isinstance(value, list) else found, value, f"{text}: {name}")
+            self.assertEqual(box.currentText(), text)
+        self.assertEqual(cells(proxy), plain)
+        self.change("DetectFeatures")
+        self.change("InterpolatePoints")
+        self.assertEqual(box.currentText(), "Own choice")
+        push("Reset")
+        self.assertEqual(box.currentText(), "Organic")
+
+    def test_the_trace_of_a_plain_apply_is_short(self):
+        """The filter is made, shown, and its input hidden; what the user chooses is in the trace, too."""
+        self.model("MaterialBlock")
+        smtrace.start_trace(preamble="")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        text = smtrace.stop_trace()
+        made = [line for line in text.splitlines()
+                if line.startswith("multidimensionalSubdivision1") and "Display" not in line]
+        self.assertEqual(len(made), 1, text)
+        for word in ("MarkSelection", "CreaseGeometry", "MarkFunction", "Preset"):
+            self.assertNotIn(word, text)
+        self.assertEqual(proxy.SMProxy.GetProperty("MarkSelection").GetPanelVisibility(), "never")
+        proxy.MarkSelection = selection()
+        simple.SetActiveSource(proxy)
+        settle()
+        self.change("DetectFeatures")
+        push("Accept")
+        self.assertEqual(proxy.SMProxy.GetProperty("MarkSelection").GetPanelVisibility(), "advanced")  # so it is traced
+
+    def test_what_the_shape_leaves_without_effect_is_hidden(self):
         self.model()
         proxy = choose("menuFilters", "Red-Green Refinement")
         self.assertFalse(sees("GenerateLimitNormals"))
-        proxy.Placement = "Limit"
+        proxy.Shape = "Smooth"
         settle()
         self.assertTrue(sees("GenerateLimitNormals"))
 
@@ -283,10 +432,10 @@ class Client(unittest.TestCase):
         self.model()
         choose("menuFilters", "Multi-dimensional Subdivision")
         find("crease e")  # the label of one property, in a group that is advanced and closed
-        self.assertEqual(groups(), {"Singularities": True})
+        self.assertEqual(groups(), {"Sharp features": True})
         self.assertTrue(sees("CreaseEnd"))
         self.assertFalse(sees("DetectFeatures"))
-        find("singularities")  # the heading of the group: all of it
+        find("sharp features")  # the heading of the group: all of it
         self.assertTrue(sees("CreaseEnd") and sees("DetectFeatures"))
         find("no such words")
         self.assertEqual(groups(), {})
@@ -297,21 +446,21 @@ class Client(unittest.TestCase):
         self.model()
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
         show_advanced(True)
-        self.assertIn("Singularities", groups())
-        heading("Singularities").click()
+        self.assertIn("Sharp features", groups())
+        heading("Sharp features").click()
         settle()
         self.assertFalse(sees("FeatureAngle"))
         proxy.DetectFeatures = 1
         settle()
         push("Accept")
         self.assertTrue(sees("FeatureAngle"))
-        self.assertTrue(groups()["Singularities (changed)"])
+        self.assertTrue(groups()["Sharp features (changed)"])
         proxy.DetectFeatures = 0
         settle()
         push("Accept")
         self.assertFalse(sees("FeatureAngle"))
-        heading("Singularities").click()
-        self.assertFalse(groups()["Singularities"])
+        heading("Sharp features").click()
+        self.assertFalse(groups()["Sharp features"])
 
     def change(self, name):
         """Turns the check box of a property in a closed group over."""
@@ -325,19 +474,19 @@ class Client(unittest.TestCase):
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
         push("Accept")
         once = cells(proxy)
-        box = self.change("GenerateGlobalIds")
+        box = self.change("CloseHangingNodes")
         accept = panel.findChild(QtWidgets.QPushButton, "Accept")
         self.assertTrue(accept.isEnabled())
         push("Reset")
         self.assertFalse(accept.isEnabled() or box.isChecked())
-        self.change("GenerateGlobalIds")
+        self.change("CloseHangingNodes")
         push("Accept")
-        self.assertEqual(proxy.GenerateGlobalIds, 1)
+        self.assertEqual(proxy.CloseHangingNodes, 1)
         act("actionEditUndo")
-        self.assertEqual(proxy.GenerateGlobalIds, 0)
+        self.assertEqual(proxy.CloseHangingNodes, 0)
         self.assertFalse(box.isChecked())
         act("actionEditRedo")
-        self.assertEqual(proxy.GenerateGlobalIds, 1)
+        self.assertEqual(proxy.CloseHangingNodes, 1)
         self.assertTrue(box.isChecked())
         self.assertEqual(cells(proxy), once)
 
@@ -347,12 +496,12 @@ class Client(unittest.TestCase):
         push("Accept")
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
         push("Accept")
-        self.change("GenerateGlobalIds")
+        self.change("CloseHangingNodes")
         push("Accept")
         self.change("GenerateClassification")
         push("Accept")
         text = smtrace.stop_trace()
-        self.assertEqual(text.count("GenerateGlobalIds = 1"), 1, text)
+        self.assertEqual(text.count("CloseHangingNodes = 1"), 1, text)
         wanted = cells(proxy)
         state = os.path.abspath("client.pvsm")
         simple.SaveState(state)
@@ -364,9 +513,9 @@ class Client(unittest.TestCase):
             simple.SetActiveSource(again)
             again.UpdatePipeline()
             settle()
-            self.assertEqual((again.GenerateGlobalIds, again.GenerateClassification), (1, 1))
+            self.assertEqual((again.CloseHangingNodes, again.GenerateClassification), (1, 1))
             self.assertEqual(cells(again), wanted)
-            self.assertTrue(shown().findChild(QtWidgets.QWidget, "GenerateGlobalIds").findChild(QtWidgets.QCheckBox)
+            self.assertTrue(shown().findChild(QtWidgets.QWidget, "CloseHangingNodes").findChild(QtWidgets.QCheckBox)
                             .isChecked())
 
     def test_animation(self):
@@ -385,6 +534,83 @@ class Client(unittest.TestCase):
         settle()
         self.assertGreater(cells(proxy), first)
         simple.Delete(track)
+
+    def test_lists_have_each_entry_once(self):
+        """Scripts may write entries in several ways; what is chosen reaches the filter with Apply."""
+        choose("menuSources", "Subdivision Model")
+        push("Accept")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        box = shown().findChild(QtWidgets.QWidget, "VolumeScheme").findChild(QtWidgets.QComboBox)
+        self.assertEqual([box.itemText(i) for i in range(box.count())], ["Standard", "Even", "Linear"])
+        push("Accept")
+        box.setCurrentIndex(1)
+        settle()
+        self.assertEqual(proxy.VolumeScheme, "Standard")
+        push("Reset")
+        self.assertEqual(box.currentText(), "Standard")
+        box.setCurrentIndex(1)
+        push("Accept")
+        self.assertEqual(proxy.VolumeScheme, "Even")
+
+    def test_cell_arrays_start_as_none(self):
+        self.model("MaterialBlock")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        push("Accept")
+        boxes = [box for box in shown().findChildren(QtWidgets.QComboBox)
+                 if any(box.itemText(i).startswith("None") for i in range(box.count()))]
+        self.assertGreater(len(boxes), 2)
+        for box in boxes:
+            self.assertEqual(box.currentText(), "None")
+        box = shown().findChild(QtWidgets.QWidget, "SingularArray").findChild(QtWidgets.QComboBox)
+        texts = [box.itemText(i) for i in range(box.count())]
+        self.assertEqual(texts, ["None", "MaterialId", "Singular"])
+        box.textActivated.emit("Singular")
+        push("Reset")
+        self.assertEqual(box.currentText(), "None")
+        box.textActivated.emit("Singular")
+        self.assertEqual(list(proxy.SingularArray), ["CELLS", "None"])
+        push("Accept")
+        self.assertEqual(list(proxy.SingularArray), ["CELLS", "Singular"])
+
+    def test_large_numbers_are_written_out(self):
+        self.model()
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        line = shown().findChild(QtWidgets.QWidget, "MaximumNumberOfCells").findChild(QtWidgets.QLineEdit)
+        self.assertEqual(line.text(), "500,000,000")
+        for typed, number in (("2e6", 2000000), ("12,345", 12345), ("many", 12345)):
+            line.setText(typed)
+            line.editingFinished.emit()
+            push("Accept")
+            self.assertEqual((proxy.MaximumNumberOfCells, line.text()), (number, f"{number:,}"))
+
+    def test_quick_launch_finds_what_people_type(self):
+        self.model()
+        for text, first in (("multi", "Multi-dimensional Subdivision"), ("dimensional", "Multi-dimensional Subdivision"),
+                            ("red green", "Red-Green Refinement"), ("catmull", "Catmull-Clark (Surface Subdivision)"),
+                            ("loop", "Loop (Surface Subdivision)"), ("smooth", "Smooth (Multi-dimensional Subdivision)"),
+                            ("subdivide", "Subdivide (Multi-dimensional Subdivision)")):
+            self.assertEqual(quick_launch(text)[1], first, text)
+        table = simple.ProgrammableSource(OutputDataSetType="vtkTable")
+        table.UpdatePipeline()
+        simple.SetActiveSource(table)
+        settle()
+        self.assertIsNone(quick_launch("surface subdivision")[1])  # greyed
+        self.assertEqual(quick_launch("catmull"), [["Catmull-Clark (Surface Subdivision)"], None])
+
+    def test_quick_launch_chooses_the_scheme(self):
+        sphere = simple.Sphere()
+        sphere.UpdatePipeline()
+        simple.SetActiveSource(sphere)
+        settle()
+        quick_launch("catmull", launch=True)
+        proxy = simple.GetActiveSource()
+        self.assertEqual(proxy.SMProxy.GetXMLName(), "SurfaceSubdivision")
+        box = shown().findChild(QtWidgets.QWidget, "Scheme").findChild(QtWidgets.QComboBox)
+        self.assertEqual(box.currentText(), "Catmull-Clark")
+        push("Accept")
+        self.assertEqual(proxy.Scheme, "Catmull-Clark")
+        kinds = {proxy.GetClientSideObject().GetOutputDataObject(0).GetCellType(i) for i in range(cells(proxy))}
+        self.assertEqual(kinds, {9})  # quads
 
     def test_topology_is_coloured_by_what_it_computes(self):
         self.model("MixedDimensions")

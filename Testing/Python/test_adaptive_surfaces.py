@@ -48,10 +48,10 @@ class InParaView(unittest.TestCase):
     def test_criteria_are_those_of_red_green_refinement(self):
         adaptive, redgreen = ({key for key in proxy.ListProperties()} for proxy in (
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
-        self.assertEqual(redgreen - adaptive, {"Placement", "EmbeddedCells", "PartArray", "RuleArray",
+        self.assertEqual(redgreen - adaptive, {"Shape", "CellsInOtherCells", "PartArray", "JointOfEachCell",
                                                "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
                                                "InterpolationWeight", "VolumeScheme"})
-        self.assertEqual(adaptive - redgreen, {"GenerateTangents", "Use32BitIds"})
+        self.assertEqual(adaptive - redgreen, {"GenerateTangents", "CompactIds"})
 
     def test_selection(self):
         ids = simple.IDSelectionSource(IDs=[0, 3, 0, 50], FieldType="CELL")

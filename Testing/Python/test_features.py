@@ -6,6 +6,7 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 import numpy as np
 import tools
@@ -15,17 +16,18 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 
 import subdivisionobjects
 
-ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "RuleArray", "SharpnessArray"]
+ARRAYS = ["SingularArray", "MaterialArray", "PartArray", "JointOfEachCell", "SharpnessArray"]
 CHOICES = {
     "CreaseEnd": ["Corner", "Dart"],
-    "LoopWeights": ["Warren", "Loop"],
-    "EmbeddedCells": ["Follow", "Singular Inside", "Singular"],
+    "LoopWeights": ["Standard", "Original"],
+    "CellsInOtherCells": ["Ignore", "Sharp Inside", "Sharp"],
     "WhereDimensionsMeet": ["Blend", "Sharp", "Follow Dimension 1", "Follow Dimension 2", "Follow Dimension 3"],
     "WhereBranchesMeet": ["Blend", "Sharp", "Follow Part"],
     "WhereBoundariesTouch": ["Blend", "Sharp"],
 }
 # The names of the class, where the panel has others.
-NAMES = {"WhereDimensionsMeet": "Type1Rule", "WhereBranchesMeet": "Type2Rule", "WhereBoundariesTouch": "Type3Rule"}
+NAMES = {"CellsInOtherCells": "EmbeddedCells", "CompactIds": "Use32BitIds", "WhereDimensionsMeet": "Type1Rule", "WhereBranchesMeet": "Type2Rule",
+         "WhereBoundariesTouch": "Type3Rule"}
 
 
 def model(name="MaterialBlock"):
@@ -79,16 +81,40 @@ def with_errors(proxy):
             one.RemoveObserver(tag)
 
 
+def without_spellings(prop):
+    """The first name of each number."""
+    numbers = {}
+    for text in prop.Available:
+        numbers.setdefault(prop.ConvertValue(text), text)
+    return list(numbers.values())
+
+
 class Properties(unittest.TestCase):
     def test_choices_and_defaults(self):
         proxy = subdivide(model())
         for name, values in CHOICES.items():
             with self.subTest(name):
-                self.assertEqual(proxy.GetProperty(name).Available, values)
+                self.assertEqual(without_spellings(proxy.GetProperty(name)), values)
                 self.assertEqual(getattr(proxy, name), values[0])
         made = subdivisionobjects.vtkMultiDimensionalSubdivision()
-        for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "Use32BitIds"):
+        for name in (*CHOICES, "PreserveInterfaces", "DetectFeatures", "FeatureAngle", "CacheOperator", "CompactIds"):
             self.assertEqual(elements(proxy, name), [getattr(made, "Get" + NAMES.get(name, name))()], name)
+
+    def test_entries_have_several_spellings(self):
+        """Without spaces and signs, and as they were called before; what is told is the first one."""
+        surface = simple.SurfaceSubdivision(Input=simple.Sphere())
+        refinement = simple.RedGreenRefinement(Input=model())
+        for proxy, name, told, others in (
+                (surface, "Scheme", "Catmull-Clark", ["CatmullClark"]), (surface, "Scheme", "Sqrt Three", ["SqrtThree"]),
+                (surface, "LoopWeights", "Original", ["Loop"]), (refinement, "Shape", "Smooth", ["Limit"]),
+                (refinement, "VolumeScheme", "Even", ["Tet/Oct", "TetOct"]),
+                (refinement, "VolumeScheme", "Standard", ["Box Spline", "BoxSpline"]),
+                (refinement, "CellsInOtherCells", "Sharp Inside", ["SharpInside", "Singular Inside", "SingularInside"])):
+            for text in [told] + others:
+                setattr(proxy, name, text)
+                self.assertEqual(getattr(proxy, name), told, text)
+        with self.assertRaises(ValueError):
+            surface.Scheme = "Catmull"
 
     def test_choices_reach_the_filter(self):
         proxy = subdivide(model())
@@ -123,7 +149,7 @@ class Arrays(unittest.TestCase):
             self.assertEqual(elements(proxy, name), [str(i), "0", "0", "1", "None"], name)
 
     def test_a_name_is_enough(self):
-        """So None is one of cells, although panels show "None (?)" then: ParaView knows the entry for points only. But a name
+        """So None is one of cells, although ParaView knows the entry for points only (ArrayWidget). A name
         for points would have ParaView make a point array of the cell array, and the output would have that, too."""
         made = []
         for value in ("MaterialId", ["CELLS", "MaterialId"]):
@@ -142,7 +168,7 @@ class Arrays(unittest.TestCase):
         source.UpdatePipeline()
         proxy = subdivide(source)
         integers = {"None", "MaterialId", "Singular", "Labels"}
-        for name in ("SingularArray", "PartArray", "RuleArray"):
+        for name in ("SingularArray", "PartArray", "JointOfEachCell"):
             self.assertEqual(set(offered(proxy, name)), integers, name)
         self.assertEqual(set(offered(proxy, "MaterialArray")), integers | {"Reals"})
         self.assertEqual(set(offered(proxy, "SharpnessArray")), {"None", "Reals"})
@@ -251,21 +277,36 @@ class Files(unittest.TestCase):
     def test_state(self):
         choices = dict(NumberOfLevels=2, SingularArray=["CELLS", "Singular"], MaterialArray=["CELLS", "MaterialId"],
                        PreserveInterfaces=1, DetectFeatures=1, FeatureAngle=42.0, CreaseEnd="Dart",
-                       LoopWeights="Loop", EmbeddedCells="Singular Inside", WhereDimensionsMeet="Follow Dimension 2",
-                       WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, Use32BitIds=1)
+                       LoopWeights="Original", CellsInOtherCells="Sharp Inside", WhereDimensionsMeet="Follow Dimension 2",
+                       WhereBranchesMeet="Sharp", WhereBoundariesTouch="Sharp", CacheOperator=0, CompactIds=1)
         simple.ResetSession()
         simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
         proxy = subdivide(model("MechanicalPart"), **choices)
         wanted = {name: elements(proxy, name) for name in (*choices, *ARRAYS)}
         shape = tools.numbers(updated(proxy))
         servermanager.SaveState("features.pvsm")
-        simple.ResetSession()
-        simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
-        simple.LoadState("features.pvsm")
-        found = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
-        self.assertEqual(len(found), 1)
-        self.assertEqual({name: elements(found[0], name) for name in wanted}, wanted)
-        self.assertEqual(tools.numbers(updated(found[0])), shape)
+        self.write_as_before("features.pvsm", "older.pvsm")
+        for state in ("features.pvsm", "older.pvsm"):
+            simple.ResetSession()
+            simple.LoadPlugin(tools.plugin, remote=False, ns=vars(simple))
+            simple.LoadState(state)
+            found = [source for (name, _), source in simple.GetSources().items() if "Multi" in name]
+            self.assertEqual(len(found), 1)
+            self.assertEqual({name: elements(found[0], name) for name in wanted}, wanted)
+            self.assertEqual(tools.numbers(updated(found[0])), shape)
+
+    def write_as_before(self, state, older):
+        """As it was before the panel had presets and other words: names of properties and numbers are all that counts."""
+        tree = ElementTree.parse(state)
+        (proxy,) = [one for one in tree.iter("Proxy") if one.get("type") == "MultiDimensionalSubdivision"]
+        names = {element.get("name") for element in proxy.iter("Property")}
+        self.assertLessEqual({"EmbeddedCells", "Use32BitIds", "LoopWeights", "Type1Rule", "RuleArray"}, names)
+        for element in proxy.findall("Property"):
+            if element.get("name") == "Preset":
+                proxy.remove(element)
+            for domain in element.findall("Domain"):
+                element.remove(domain)
+        tree.write(older)
 
     def test_preset(self):
         with tempfile.TemporaryDirectory() as home:  # of a user who never imported it

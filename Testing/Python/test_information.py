@@ -56,7 +56,7 @@ class Information(unittest.TestCase):
         self.check(lambda **options: simple.MultidimensionalSubdivision(VolumeScheme="Tet/Oct", **options), self.solids)
         for placement in ("Linear", "Limit"):
             self.check(lambda placement=placement, **options: simple.RedGreenRefinement(
-                Placement=placement, RefineByEdgeLength=1, MaximumEdgeLength=0.3, **options), self.solids)
+                Shape=placement, RefineByEdgeLength=1, MaximumEdgeLength=0.3, **options), self.solids)
         self.check(simple.SimplicialComplexTopology, self.solids)
         self.check(simple.ExtractDimensions, self.solids)
 

@@ -106,7 +106,7 @@ class Labels(unittest.TestCase):
     def test_options(self):
         source = scan()
         solid = simple.SmoothSolidfromLabels(Input=source, NumberOfControlCells=2000, NumberOfLevels=0,
-                                             VolumeScheme="Tet/Oct", BackgroundLabel=1)
+                                             VolumeScheme="Even", BackgroundLabel=1)
         solid.UpdatePipeline()
         self.assertEqual(list(solid.LabelsArray), ["POINTS", "None"])  # the active scalars
         grid = tools.output(solid)

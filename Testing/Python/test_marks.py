@@ -38,7 +38,7 @@ class Marks(unittest.TestCase):
         self.assertEqual((proxy.MarkCorners, proxy.MarkCreases, proxy.MarkSurfaces, proxy.MarkByFunction),
                          (1, 0, 0, 0))
         self.assertEqual(list(proxy.MarksArray), ["POINTS", "None"])
-        self.assertEqual(proxy.CreasePoints, "Coincident")
+        self.assertEqual(proxy.MatchPointsBy, "Position")
         self.assertEqual(self.stopped(proxy), set())
 
     def test_selected_points_are_corners(self):

@@ -43,6 +43,14 @@ def properties(proxy):
         iterator.Next()
 
 
+def nested(element, name):
+    """All elements of this name in one, as ParaView reads its XML."""
+    for i in range(element.GetNumberOfNestedElements() if element else 0):
+        child = element.GetNestedElement(i)
+        yield from [child] * (child.GetName() == name)
+        yield from nested(child, name)
+
+
 def updated(proxy):
     proxy.UpdatePipeline()
     return tools.output(proxy)
@@ -110,7 +118,7 @@ class Proxies(unittest.TestCase):
             self.assertGreater(len(help_texts.GetDescription()), 100, name)
             for key, prop in properties(proxy):
                 with self.subTest(name + "." + key):
-                    self.assertIn(prop.GetPanelVisibility(), ("default", "advanced"))
+                    self.assertIn(prop.GetPanelVisibility(), ("default", "advanced", "never"))
                     if key != "Input":
                         self.assertIn("default", prop.GetDocumentation().GetDescription().lower())
                     self.assertGreater(len(prop.GetDocumentation().GetDescription().strip()), 60)
@@ -122,7 +130,7 @@ class Proxies(unittest.TestCase):
             group = proxy.GetPropertyGroup(i)
             self.assertTrue(group.GetXMLLabel())
             grouped |= {group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())}
-        names = {key for key, _ in properties(proxy)} - {"Input"}
+        names = {key for key, prop in properties(proxy) if prop.GetPanelVisibility() != "never"} - {"Input"}
         self.assertEqual(names - grouped, set())
 
     def test_groups_after_the_first_are_collapsible(self):
@@ -140,7 +148,8 @@ class Proxies(unittest.TestCase):
                     if group.GetPanelWidget() != "SubdivisionObjectsGroup":
                         plain.add((name, group.GetName()))
         self.assertEqual(plain, {
-            ("AdaptiveSurfaceSubdivision", "Refinement"), ("MultiDimensionalSubdivision", "Subdivision"),
+            ("AdaptiveSurfaceSubdivision", "Criteria"), ("AdaptiveSurfaceSubdivision", "Refinement"),
+            ("MultiDimensionalSubdivision", "Subdivision"), ("RedGreenRefinement", "Criteria"),
             ("RedGreenRefinement", "Refinement"), ("SimplicialComplexTopology", "Topology"),
             ("SubdivisionDeformation", "Deformation"), ("SubdivisionSmoothness", "Smoothness")})
 
@@ -153,7 +162,7 @@ class Proxies(unittest.TestCase):
             text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
             text = text.replace("@REFINEMENT@", criteria)
             elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
-                        if element.get("command")]
+                        if element.get("command") or element.get("name") == "Preset"]
             own = {element.get("name") for element in elements if not element.get("override")} - {"Input"}
             iterator = servermanager.vtkSMOrderedPropertyIterator()
             iterator.SetProxy(definition(name))
@@ -182,9 +191,17 @@ class Proxies(unittest.TestCase):
                 domain = prop.FindDomain("vtkSMEnumerationDomain")
                 setters = [member for member in dir(cls) if member.startswith(f"Set{key}To")]
                 if domain and setters:
-                    texts = [domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())]
-                    entries = {f"Set{key}To" + re.sub(r"\W", "", text) for text in texts}
-                    self.assertEqual(entries, set(setters), f"{name}.{key}")
+                    numbers = {}
+                    for i in range(domain.GetNumberOfEntries()):
+                        text = re.sub(r"\W", "", domain.GetEntryText(i))
+                        numbers.setdefault(domain.GetEntryValue(i), set()).add(f"Set{key}To{text}")
+                    for number, spellings in numbers.items():
+                        with self.subTest(f"{name}.{key}", spellings=spellings):
+                            (setter,) = spellings & set(setters)
+                            made = cls()
+                            getattr(made, setter)()
+                            self.assertEqual(getattr(made, f"Get{key}")(), number)
+                    self.assertEqual(len(numbers), len(setters), f"{name}.{key}")
                     named.add(key)
         self.assertLessEqual({"Model", "Scheme", "VolumeScheme", "Placement", "OutsidePoints", "Type1Rule"}, named)
 
@@ -268,6 +285,43 @@ class Proxies(unittest.TestCase):
             proxy.UpdatePipeline()
             self.assertIn("Interpolated arrays: Heat", str(proxy.GetClientSideObject()))
 
+    def test_panels_have_few_options(self):
+        """Without the gear, and more with it. Others are options of scripts; the criteria of refinement are one list, of
+        which those options count that are always there."""
+        for name, most in (("MultiDimensionalSubdivision", 8), ("SurfaceSubdivision", 7), ("RedGreenRefinement", 10)):
+            proxy = definition(name)
+            advanced, one = set(), set()
+            for i in range(proxy.GetNumberOfPropertyGroups()):
+                group = proxy.GetPropertyGroup(i)
+                keys = {group.GetPropertyName(k) for k in range(group.GetNumberOfProperties())}
+                advanced |= keys if group.GetPanelVisibility() == "advanced" else set()
+                one |= keys if group.GetPanelWidget() == "SubdivisionObjectsCriteria" else set()
+            counts = {"default": 1 if one else 0, "advanced": 0, "never": 0}
+            for key, prop in properties(proxy):
+                decorators = {hint.GetAttribute("property") for hint in nested(prop.GetHints(), "PropertyWidgetDecorator")}
+                if key == "Input" or key in one or decorators & one:
+                    continue
+                traced_if_used = list(nested(prop.GetHints(), "TracedIf"))  # the group shows it all the same
+                is_advanced, hidden = key in advanced, prop.GetPanelVisibility() == "never" and not traced_if_used
+                counts["advanced" if is_advanced and not hidden else prop.GetPanelVisibility()] += 1
+            self.assertLessEqual(counts["default"], most, name)
+            self.assertLessEqual(counts["advanced"], 30, name)
+            self.assertGreater(counts["never"], 5, name)
+
+    def test_presets_set_what_is_there(self):
+        for name, scheme in (("MultiDimensionalSubdivision", "VolumeScheme"), ("SurfaceSubdivision", "Scheme")):
+            hints = definition(name).GetProperty("Preset").GetHints()
+            texts = [preset.GetAttribute("text") for preset in nested(hints, "Preset")]
+            self.assertEqual(len(set(texts)), len(texts))
+            self.assertLessEqual({"CAD part: keep sharp edges", "Organic", "Through my points", "Exact split"}, set(texts))
+            self.assertEqual("For volume rendering" in texts, name == "MultiDimensionalSubdivision")
+            for value in nested(hints, "Value"):
+                key = value.GetAttribute("property")
+                self.assertTrue(definition(name).GetProperty(key).IsA("vtkSMIntVectorProperty"), key)
+                if key == scheme:
+                    entries = definition(name).GetProperty(key).FindDomain("vtkSMEnumerationDomain")
+                    self.assertEqual(int(value.GetAttribute("value")), entries.GetEntryValueForText("Linear"))
+
     def test_what_has_no_effect_is_hidden(self):
         for name in ("SubdivisionDeformation", "SimplicialComplexTopology", "SubdivisionSmoothness"):
             for key in ("InterfaceValues", "FieldsOfCells"):
@@ -336,10 +390,10 @@ class Proxies(unittest.TestCase):
             found = vtk_to_numpy(updated(made).GetPoints().GetData())
             return found[np.lexsort(np.round(found, 9).T)]  # points of edges have another order in each filter
 
-        plain = points(simple.MultidimensionalSubdivision, ModifiedBoundary=0)
+        plain = points(simple.MultidimensionalSubdivision, SmoothUpToBorders=0)
         modified = points(simple.MultidimensionalSubdivision)
         np.testing.assert_allclose(modified, points(simple.SurfaceSubdivision, Scheme="Loop"), atol=1e-12)
-        np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", ModifiedBoundary=0),
+        np.testing.assert_allclose(plain, points(simple.SurfaceSubdivision, Scheme="Loop", SmoothUpToBorders=0),
                                    atol=1e-12)
         self.assertGreater(np.abs(plain - modified).max(), 1e-3)
 

@@ -72,7 +72,7 @@ class Properties(unittest.TestCase):
         self.assertGreater(len(proxy.GetDocumentation().GetDescription()), 100)
 
     def test_every_property_reaches_the_filter(self):
-        proxy = refine(model(), RefineByEdgeLength=1, MaximumEdgeLength=0.5, MaximumLevel=5, Placement="Limit",
+        proxy = refine(model(), RefineByEdgeLength=1, MaximumEdgeLength=0.5, MaximumLevel=5, Shape="Smooth",
                        GeometricTolerance=0.25, RelativeTolerance=0, AttributeTolerance=0.75,
                        AttributeErrorKind="Limit Difference", ArrayRange=[2, 3], MaximumNumberOfCells=10**6)
         proxy.UpdateVTKObjects()
@@ -189,9 +189,9 @@ class Criteria(unittest.TestCase):
 
     def test_on_the_limit(self):
         smooth = updated(refine(model("Screw"), RefineByGeometricError=1, GeometricTolerance=0.01,
-                                Placement="Limit", MaximumLevel=5))
+                                Shape="Smooth", MaximumLevel=5))
         rough = updated(refine(model("Screw"), RefineByGeometricError=1, GeometricTolerance=0.05,
-                               Placement="Limit", MaximumLevel=5))
+                               Shape="Smooth", MaximumLevel=5))
         self.assertGreater(smooth.GetNumberOfCells(), rough.GetNumberOfCells())
 
     def test_filters_in_a_row_undo_green_cells(self):

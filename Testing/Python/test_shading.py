@@ -131,7 +131,7 @@ def subdivide(source, levels=LEVELS):
 def refine(source):
     """Large and small triangles beside each other, from levels that differ."""
     return simple.RedGreenRefinement(
-        Input=source, Placement="Limit", GenerateLimitNormals=1, RefineByAttributeError=0, RefineByGeometricError=1,
+        Input=source, Shape="Smooth", GenerateLimitNormals=1, RefineByAttributeError=0, RefineByGeometricError=1,
         GeometricTolerance=5e-4, MaximumLevel=FINER)
 
 

@@ -231,7 +231,8 @@ class Proxies(unittest.TestCase):
         self.assertEqual(element.find("BooleanDomain") is not None, isinstance(default[0], bool))
         if option.is_enumeration:
             entries = {entry.get("text"): int(entry.get("value")) for entry in element.iter("Entry")}
-            self.check_entries(option, cls, entries)
+            self.check_entries(option, cls, {entry.get("also", entry.get("text")): int(entry.get("value"))
+                                             for entry in element.iter("Entry")})
             stated = [(value,) for text, value in entries.items() if text + " (the default" in tooltip]
         else:
             stated = [along_axes(one, default) for one in stated_defaults(tooltip)]

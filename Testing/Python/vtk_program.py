@@ -86,7 +86,7 @@ class Program(unittest.TestCase):
         found = {}
         for one in filters:
             listed = run("--filter", one, "--help").stdout
-            found[plain(one)] = {plain(line.split()[0]) for line in listed.splitlines() if line.startswith("  --")}
+            found[plain(one)] = {plain(line.split()[0].rstrip(",")) for line in listed.splitlines() if line.startswith("  --")}
         for cls in CLASSES:
             names = [name for name in found if plain(cls.__name__[3:]) in (name, "subdivision" + name,
                                                                            "subdivision" + name + "source")]
