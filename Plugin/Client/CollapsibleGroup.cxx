@@ -24,13 +24,11 @@
 
 namespace
 {
-// What a property is traced with: a trace records inputs even where there are none. So these are
-// "never" in the panel, and thus in traces, until the other property says that they are used.
-const char* TracedIf(vtkSMProperty* property)
+// UsedProperties makes these "never" while nothing uses them; the group shows them all the same.
+bool IsTracedIfUsed(vtkSMProperty* property)
 {
   auto* hints = property->GetHints();
-  auto* hint = hints ? hints->FindNestedElementByName("TracedIf") : nullptr;
-  return hint ? hint->GetAttribute("property") : nullptr;
+  return hints && hints->FindNestedElementByName("TracedIf");
 }
 
 bool HasProxy(const vtkSMPropertyHelper& helper)
@@ -41,7 +39,7 @@ bool HasProxy(const vtkSMPropertyHelper& helper)
 // Neither was anything, nor is it to be.
 bool IsUnusedInput(vtkSMProperty* property)
 {
-  return property && TracedIf(property) && !HasProxy(vtkSMPropertyHelper(property)) &&
+  return property && IsTracedIfUsed(property) && !HasProxy(vtkSMPropertyHelper(property)) &&
     !HasProxy(vtkSMUncheckedPropertyHelper(property));
 }
 
@@ -54,7 +52,7 @@ QStringList ShownProperties(vtkSMProxy* proxy, vtkSMPropertyGroup* group)
   {
     auto* property = group->GetProperty(i);
     const char* visibility = property->GetPanelVisibility();
-    if (!visibility || std::strcmp(visibility, "never") != 0 || TracedIf(property))
+    if (!visibility || std::strcmp(visibility, "never") != 0 || IsTracedIfUsed(property))
     {
       names << proxy->GetPropertyName(property);
     }
@@ -122,7 +120,6 @@ CollapsibleGroup::CollapsibleGroup(vtkSMProxy* proxy, vtkSMPropertyGroup* group,
     this->Properties, &pqProxyWidget::restartRequired, this, &pqPropertyWidget::restartRequired);
   this->followDecorators();
   this->updateHeading();
-  this->updateTrace();
 }
 
 // Where another property hides all of a group, its heading is to go, too.
@@ -151,7 +148,6 @@ void CollapsibleGroup::apply()
     widget->apply();
   }
   this->updateHeading();
-  this->updateTrace();
 }
 
 void CollapsibleGroup::reset()
@@ -203,19 +199,6 @@ void CollapsibleGroup::updateHeading()
 {
   this->Heading->setText(
     HasChanges(this->propertyGroup()) ? this->Label + " (changed)" : this->Label);
-}
-
-void CollapsibleGroup::updateTrace()
-{
-  auto* group = this->propertyGroup();
-  for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
-  {
-    if (const char* name = TracedIf(group->GetProperty(i)))
-    {
-      const bool isUsed = HasProxy(vtkSMPropertyHelper(this->proxy(), name));
-      group->GetProperty(i)->SetPanelVisibility(isUsed ? "advanced" : "never");
-    }
-  }
 }
 
 void CollapsibleGroup::toggle(bool open)

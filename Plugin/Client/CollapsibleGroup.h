@@ -39,7 +39,6 @@ private:
   void followDecorators();
   void arrange();
   void updateHeading();
-  void updateTrace();
   void toggle(bool open);
 
   pqProxyWidget* Properties;

@@ -9,6 +9,7 @@
 #include "CriteriaWidget.h"
 #include "PresetWidget.h"
 #include "SearchWords.h"
+#include "UsedProperties.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
@@ -60,6 +61,7 @@ void AddClient()
     auto* tracker = core->interfaceTracker();
     tracker->addInterface(new GroupInterface(tracker));
     SearchWords::Add();
+    UsedProperties::Follow();
   }
   else if (auto* application = QCoreApplication::instance())
   {

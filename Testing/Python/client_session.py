@@ -395,6 +395,15 @@ class Client(unittest.TestCase):
         for word in ("MarkSelection", "CreaseGeometry", "MarkFunction", "Preset"):
             self.assertNotIn(word, text)
         self.assertEqual(proxy.SMProxy.GetProperty("MarkSelection").GetPanelVisibility(), "never")
+        self.assertFalse(sees("GenerateGlobalIds"))  # an option of scripts, which is shown once it is set
+        smtrace.start_trace(preamble="")
+        proxy.GenerateGlobalIds = 1
+        show_advanced(True)
+        settle()
+        self.assertTrue(sees("GenerateGlobalIds"))
+        self.change("GenerateGlobalIds")
+        push("Accept")
+        self.assertIn("GenerateGlobalIds = 0", smtrace.stop_trace())
         proxy.MarkSelection = selection()
         simple.SetActiveSource(proxy)
         settle()

@@ -51,6 +51,15 @@ def nested(element, name):
         yield from nested(child, name)
 
 
+def is_of_scripts(key, prop):
+    """Whether panels show an option only when it is set already, or never."""
+    decorators = {hint.GetAttribute("property") for hint in nested(prop.GetHints(), "PropertyWidgetDecorator")}
+    has_no_widget = prop.IsA("vtkSMInputProperty") and not list(nested(prop.GetHints(), "SelectionInput"))
+    traced = {hint.GetAttribute("property") for hint in nested(prop.GetHints(), "TracedIf")}
+    return prop.GetPanelVisibility() == "never" or key in decorators or "MarkByFunction" in traced or (
+        has_no_widget and key in traced)
+
+
 def updated(proxy):
     proxy.UpdatePipeline()
     return tools.output(proxy)
@@ -130,7 +139,7 @@ class Proxies(unittest.TestCase):
             group = proxy.GetPropertyGroup(i)
             self.assertTrue(group.GetXMLLabel())
             grouped |= {group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())}
-        names = {key for key, prop in properties(proxy) if prop.GetPanelVisibility() != "never"} - {"Input"}
+        names = {key for key, prop in properties(proxy) if not is_of_scripts(key, prop)} - {"Input"}
         self.assertEqual(names - grouped, set())
 
     def test_groups_after_the_first_are_collapsible(self):
@@ -286,8 +295,8 @@ class Proxies(unittest.TestCase):
             self.assertIn("Interpolated arrays: Heat", str(proxy.GetClientSideObject()))
 
     def test_panels_have_few_options(self):
-        """Without the gear, and more with it. Others are options of scripts; the criteria of refinement are one list, of
-        which those options count that are always there."""
+        """Without the gear, and more with it. Others are options of scripts, which panels show once they are set. The
+        criteria of refinement are one list; of their options those count that are always there."""
         for name, most in (("MultiDimensionalSubdivision", 8), ("SurfaceSubdivision", 7), ("RedGreenRefinement", 10)):
             proxy = definition(name)
             advanced, one = set(), set()
@@ -296,17 +305,16 @@ class Proxies(unittest.TestCase):
                 keys = {group.GetPropertyName(k) for k in range(group.GetNumberOfProperties())}
                 advanced |= keys if group.GetPanelVisibility() == "advanced" else set()
                 one |= keys if group.GetPanelWidget() == "SubdivisionObjectsCriteria" else set()
-            counts = {"default": 1 if one else 0, "advanced": 0, "never": 0}
+            counts = {"default": 1 if one else 0, "advanced": 0, "scripts": 0}
             for key, prop in properties(proxy):
                 decorators = {hint.GetAttribute("property") for hint in nested(prop.GetHints(), "PropertyWidgetDecorator")}
                 if key == "Input" or key in one or decorators & one:
                     continue
-                traced_if_used = list(nested(prop.GetHints(), "TracedIf"))  # the group shows it all the same
-                is_advanced, hidden = key in advanced, prop.GetPanelVisibility() == "never" and not traced_if_used
-                counts["advanced" if is_advanced and not hidden else prop.GetPanelVisibility()] += 1
+                shown = "advanced" if key in advanced else prop.GetPanelVisibility()
+                counts["scripts" if is_of_scripts(key, prop) else shown] += 1
             self.assertLessEqual(counts["default"], most, name)
             self.assertLessEqual(counts["advanced"], 30, name)
-            self.assertGreater(counts["never"], 5, name)
+            self.assertGreater(counts["scripts"], 5, name)
 
     def test_presets_set_what_is_there(self):
         for name, scheme in (("MultiDimensionalSubdivision", "VolumeScheme"), ("SurfaceSubdivision", "Scheme")):
@@ -337,7 +345,8 @@ class Proxies(unittest.TestCase):
             proxy.UpdatePipeline()
             self.assertIn("LimitNormals", tools.arrays(tools.output(proxy).GetPointData()), proxy.Scheme)
         for name in ("ProjectToLimit", "GenerateLimitNormals", "GenerateTangents"):
-            self.assertIsNone(prototype.GetProperty(name).GetHints(), name)
+            decorators = nested(prototype.GetProperty(name).GetHints(), "PropertyWidgetDecorator")
+            self.assertNotIn("Scheme", [hint.GetAttribute("property") for hint in decorators], name)
 
     def test_the_largest_size_is_in_the_panel(self):
         """Without the gear: its error tells the user to change it. A group that is advanced would hide it."""
