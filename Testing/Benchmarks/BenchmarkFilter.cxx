@@ -41,11 +41,15 @@ Produced RunOnce(Stopwatch& watch, const Case& which, int levels, bool cache)
   return Tell(filter->GetOutput());
 }
 
-/// The other scheme for solids, on the same mesh.
-Produced RunTetOct(Stopwatch& watch, const Case& which, int levels)
+/// Execution with normals of the limit, or with points on the limit, or, with neither, the other
+/// scheme for solids alone.
+Produced RunWith(
+  Stopwatch& watch, const Case& which, int levels, bool tetOct, bool normals, bool limits)
 {
   const auto filter = MakeFilter(which, levels, false);
-  filter->SetVolumeSchemeToTetOct();
+  tetOct ? filter->SetVolumeSchemeToTetOct() : filter->SetVolumeSchemeToBoxSpline();
+  filter->SetGenerateLimitNormals(normals);
+  filter->SetProjectToLimit(limits);
   watch.Time([&]() { filter->Update(); });
   return Tell(filter->GetOutput());
 }
@@ -144,7 +148,19 @@ void RegisterFilter()
         [which](Stopwatch& watch) { return RunAgain(watch, *which, 3); });
     }
     Register("filter/tetoct/cube/levels:3", threads,
-      [&cube](Stopwatch& watch) { return RunTetOct(watch, cube, 3); });
+      [&cube](Stopwatch& watch) { return RunWith(watch, cube, 3, true, false, false); });
+    for (const bool normals : { false, true })
+    {
+      const std::string what = normals ? "normals" : "limits";
+      for (const Case* which : { &cube, &sphere })
+      {
+        Register("filter/" + what + "/" + which->Name + "/levels:3", threads,
+          [=](Stopwatch& watch) { return RunWith(watch, *which, 3, false, normals, !normals); });
+      }
+      Register("filter/tetoct-" + what + "/cube/levels:3", threads,
+        [&cube, normals](Stopwatch& watch)
+        { return RunWith(watch, cube, 3, true, normals, !normals); });
+    }
     Register("filter/cached/cube/levels:3", threads,
       [&cube](Stopwatch& watch) { return RunOnce(watch, cube, 3, true); });
   }

@@ -3,6 +3,7 @@
  * @file BenchmarkSurface.cxx
  * Surface subdivision: schemes for triangles on a sphere of triangles, the others on a sphere of
  * quads, to about 1.3 million faces (sqrt(3): 1.66 million); points and a scalar, first execution.
+ * The same with normals of the limit, and with points on the limit.
  */
 #include "BenchmarkSurface.h"
 
@@ -62,9 +63,11 @@ vtkSmartPointer<vtkSurfaceSubdivision> MakeFilter(const Scheme& scheme)
   return filter;
 }
 
-Produced Run(Stopwatch& watch, const Scheme& scheme)
+Produced Run(Stopwatch& watch, const Scheme& scheme, bool normals = false, bool limits = false)
 {
   const auto filter = MakeFilter(scheme);
+  filter->SetGenerateLimitNormals(normals);
+  filter->SetProjectToLimit(limits);
   watch.Time([&]() { filter->Update(); });
   vtkPolyData* output = filter->GetOutput();
   return { static_cast<double>(output->GetNumberOfCells()),
@@ -105,6 +108,10 @@ void RegisterSurface()
         std::string("/") + scheme.GetMesh() + "/levels:" + std::to_string(scheme.Levels);
       Register(std::string("surface/") + scheme.Name + end, threads,
         [&scheme](Stopwatch& watch) { return Run(watch, scheme); });
+      Register(std::string("surfaceframes/") + scheme.Name + "-normals" + end, threads,
+        [&scheme](Stopwatch& watch) { return Run(watch, scheme, true, false); });
+      Register(std::string("surfaceframes/") + scheme.Name + "-limits" + end, threads,
+        [&scheme](Stopwatch& watch) { return Run(watch, scheme, false, true); });
       Register(std::string("surfacelimit/") + scheme.Name + "-small" + end, threads,
         [&scheme](Stopwatch& watch) { return RunLimit(watch, GetSize(scheme), Pages::Small); });
       Register(std::string("surfacelimit/") + scheme.Name + "-huge" + end, threads,

@@ -271,6 +271,14 @@ PLACES = [("places", "sphere", "sphere", 0.9), ("places by Loop", "sphere by Loo
 BARS = [Ratio(*row, bar) for row, bar in zip(WITH_LIMITS, LIMIT_BARS)]
 BARS += [Ratio(scheme, surface(scheme, "quads", 6), surface_limit(scheme, "quads", 6, "small"), 2.5)
          for scheme in ("4-8", "Midedge")]
+# Normals and limits of a finished level are masks over its rings: at most as much again.
+FRAMES = [(scheme, surface(scheme, mesh, levels), ("surfaceframes", scheme + "-%s", mesh, levels))
+          for scheme, mesh, levels in SURFACES]
+FRAMES += [("tetrahedra, box spline", CUBE, ("filter", "%s", "cube", 3)),
+           ("triangles, main filter", SPHERE, ("filter", "%s", "sphere", 3)),
+           ("tet/oct", ("filter", "tetoct", "cube", 3), ("filter", "tetoct-%s", "cube", 3))]
+BARS += [Ratio("%s, with %s, beside without" % (name, what), (key[0], key[1] % what) + key[2:], plain, 2.)
+         for name, plain, key in FRAMES for what in ("normals", "limits")]
 BARS += [Ratio("%s beside %s" % (scheme, peer), surface(scheme, mesh, levels),
                ("peer", "%s %s" % (peer, scheme), mesh, levels), bar)
          for scheme, mesh, levels, peer, bar in BESIDE_PEERS]

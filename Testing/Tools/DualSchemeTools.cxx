@@ -60,8 +60,8 @@ std::vector<Shape> MakeShapes()
 Steps::Steps(Level&& control, subdivision::SurfaceSchemeKind kind, int steps, int firstStep)
 {
   control.Step = firstStep;
-  this->Values = std::make_unique<subdivision::SurfaceSteps<int>>(
-    std::move(control), subdivision::MakeSurfaceScheme<int>(kind, true), steps, true, nullptr);
+  this->Values = std::make_unique<subdivision::SurfaceSteps<int>>(std::move(control),
+    subdivision::MakeSurfaceScheme<int>(kind, true), steps, subdivision::LastLevel::Whole, nullptr);
 }
 
 subdivision::SparseRows<int> Steps::GetRows(int step) const

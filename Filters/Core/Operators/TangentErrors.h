@@ -8,10 +8,15 @@
 #define SubdivisionObjects_TangentErrors_h
 
 #include "Core/Memory/Coordinates.h"
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/RowBlock.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
+#include <numeric>
+#include <type_traits>
 
 namespace subdivision
 {
@@ -57,6 +62,83 @@ double GetTangentError(const RowBlock<Id>& rows, std::size_t row, const double* 
   const std::size_t begin = rows.GetBegin(row);
   return GetTangentError(rows.GetColumns() + begin, rows.GetWeights() + begin,
     static_cast<vtkIdType>(rows.GetEnd(row) - begin), points, unit);
+}
+
+/// The largest size of values that are no NaN.
+inline double FindLargest(const double* values, vtkIdType size)
+{
+  std::atomic<double> largest{ 0. };
+  ForRanges(size,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const double own = std::accumulate(values + begin, values + end, 0.,
+        [](double before, double value) { return std::max(before, std::abs(value)); });
+      double all = largest;
+      while (all < own && !largest.compare_exchange_weak(all, own))
+      {
+      }
+    });
+  return largest;
+}
+
+/// A bound for GetTangentError where no coordinate is beyond `largest`; it does not read points.
+inline double GetTangentBound(const double* weights, vtkIdType size, double largest, double unit)
+{
+  const double sum = std::accumulate(
+    weights, weights + size, 0., [](double before, double w) { return before + std::abs(w); });
+  const auto entries = static_cast<double>(size);
+  return largest * (1.01 * (2. * unit + entries * DoubleUnit) * sum + 4.01 * DoubleUnit * entries);
+}
+
+/// The same for all rows of a block.
+template <typename Id>
+void FindTangentErrors(const RowBlock<Id>& rows, double largest, double unit, double* errors)
+{
+  const auto getError = [=](const double* weights, vtkIdType size)
+  { return GetTangentBound(weights, size, largest, unit); };
+  rows.ForRuns(0,
+    [&](const auto& run)
+    {
+      using Run = std::decay_t<decltype(run)>;
+      if constexpr (std::is_same<Run, EqualRows<Id>>::value)
+      {
+        std::fill_n(errors + run.FirstRow, run.Count, getError(run.Weights, run.Size));
+      }
+      else if constexpr (std::is_same<Run, WeightedRows<Id>>::value)
+      {
+        for (vtkIdType i = 0; i < run.Count; ++i)
+        {
+          errors[run.FirstRow + i] =
+            getError(run.Weights + run.Offsets[i], run.Offsets[i + 1] - run.Offsets[i]);
+        }
+      }
+      else
+      {
+        std::fill_n(errors + run.FirstRow, run.Count, std::numeric_limits<double>::infinity());
+      }
+    });
+}
+
+/// FindNormal where this takes few operations. False: the tangents may be parallel within `error`,
+/// or their squares are too large or too small.
+inline bool FindClearNormal(const double* a, const double* b, double error, double normal[3])
+{
+  const auto square = [](const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; };
+  const double across[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+    a[0] * b[1] - a[1] * b[0] };
+  const double length = square(across);
+  // The square of a sum of three is at most three times the sum of squares.
+  const double least = 3.01 * error * error * (square(a) + square(b) + error * error);
+  if (!(length > least && length > 1e-200 && length < 1e200))
+  {
+    return false;
+  }
+  const double factor = 1. / std::sqrt(length);
+  for (int c = 0; c < 3; ++c)
+  {
+    normal[c] = factor * across[c];
+  }
+  return true;
 }
 
 /// The unit normal of two tangents, or zero where the tangents may be parallel within `error` and

@@ -156,7 +156,7 @@ SurfaceStarLevels::SurfaceStarLevels(const SurfaceStar& star, const StarMesh& me
   }
   control.Tags = ClassifySurface(control.Mesh, *scheme, features, mesh.GetPoints());
   this->Steps = std::make_unique<SurfaceSteps<int>>(
-    std::move(control), scheme, steps, true, [](double) { return false; });
+    std::move(control), scheme, steps, LastLevel::Whole, [](double) { return false; });
 }
 
 SparseRows<int> SurfaceStarLevels::GetSteps(int from, int to) const

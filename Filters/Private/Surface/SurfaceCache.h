@@ -29,7 +29,7 @@ struct SurfaceKey
   bool ModifiedBoundary = true;
   LoopWeights Weights = LoopWeights::Warren;
   int Levels = 0;
-  bool Whole = false;
+  LastLevel Last = LastLevel::ForCells;
   bool Use32BitIds = false;
   int MadeLevels = 0;
   SurfaceCells Cells;
@@ -39,11 +39,10 @@ struct SurfaceKey
     const SurfaceCells& a = this->Cells;
     const SurfaceCells& b = other.Cells;
     return this->Scheme == other.Scheme && this->ModifiedBoundary == other.ModifiedBoundary &&
-      this->Weights == other.Weights && this->Levels == other.Levels &&
-      this->Whole == other.Whole && this->Use32BitIds == other.Use32BitIds &&
-      this->MadeLevels == other.MadeLevels && a.NumberOfPoints == b.NumberOfPoints &&
-      a.Vertices == b.Vertices && a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets &&
-      a.Corners == b.Corners;
+      this->Weights == other.Weights && this->Levels == other.Levels && this->Last == other.Last &&
+      this->Use32BitIds == other.Use32BitIds && this->MadeLevels == other.MadeLevels &&
+      a.NumberOfPoints == b.NumberOfPoints && a.Vertices == b.Vertices &&
+      a.Segments == b.Segments && a.FaceOffsets == b.FaceOffsets && a.Corners == b.Corners;
   }
 };
 

@@ -4,11 +4,16 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Operators/ApplyRows.h"
+#include "Core/Operators/ForBlocks.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Surfaces/Scheme/ShadingDescent.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
 
 #include "vtkDataArray.h"
+
+#include <algorithm>
+#include <functional>
 
 namespace subdivision
 {
@@ -32,6 +37,7 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
       if (i < missing.size())
       {
         missing[i] = isMissing;
+        std::copy_n(a, isMissing ? 3 : 0, normal);
       }
       else if (isMissing)
       {
@@ -39,8 +45,7 @@ void FindNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
           std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal);
       }
     });
-  FindShadingNormals(scheme, level, creases, turned, missing, points, tangents.Values[0].data(),
-    tangents.Normals.data());
+  FindShadingNormals(scheme, level, creases, turned, missing, points, tangents.Normals.data());
 }
 
 template <typename Id>
@@ -56,49 +61,170 @@ Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigne
   return std::move(turned);
 }
 
+namespace
+{
+
+/// Tangents and normals of some vertices in a row, from their limit rows.
+template <typename Id>
+class FrameBlock
+{
+public:
+  FrameBlock(const double* points, double largest, double unit)
+    : Points(points)
+    , Largest(largest)
+    , Unit(unit)
+  {
+  }
+
+  void Sum(const typename SurfaceSteps<Id>::AppendLimits& append, vtkIdType begin, vtkIdType end)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      this->Rows[k].Clear();
+      append(k == 0 ? LimitKind::Tangent1 : LimitKind::Tangent2, begin, end, this->Rows[k]);
+      this->Rows[k].ForRuns(
+        0, [&](const RowsView& rows) { SumRows(rows, this->Points, this->Values[k], 3); });
+      FindTangentErrors(this->Rows[k], this->Largest, this->Unit, this->Bounds[k]);
+    }
+  }
+  void Turn(vtkIdType i)
+  {
+    std::transform(this->Values[1] + 3 * i, this->Values[1] + 3 * i + 3, this->Values[1] + 3 * i,
+      std::negate<>());
+  }
+  const double* GetTangent(int which, vtkIdType i) const { return this->Values[which] + 3 * i; }
+  /// Writes a normal, or, where there is none, the first tangent; then returns false.
+  bool WriteNormal(vtkIdType i, double* normal) const
+  {
+    const double* a = this->GetTangent(0, i);
+    const double* b = this->GetTangent(1, i);
+    if (FindClearNormal(a, b, this->Bounds[0][i] + this->Bounds[1][i], normal))
+    {
+      return true;
+    }
+    const auto row = static_cast<std::size_t>(i);
+    FindNormal(a, b,
+      GetTangentError(this->Rows[0], row, this->Points, this->Unit) +
+        GetTangentError(this->Rows[1], row, this->Points, this->Unit),
+      normal);
+    const bool isFound = std::any_of(normal, normal + 3, [](double value) { return value != 0.; });
+    std::copy_n(a, isFound ? 0 : 3, normal);
+    return isFound;
+  }
+
+private:
+  const double* const Points;
+  const double Largest;
+  const double Unit;
+  RowBlock<Id> Rows[2];
+  double Values[2][3 * BlockSize];
+  double Bounds[2][BlockSize];
+};
+
+/// The face whose orientation the tangents of a vertex have, or -1.
+template <typename Id>
+Id FindOrientingFace(const SurfaceLevel<Id>& level, bool hasTags, Id vertex)
+{
+  const Id corner = hasTags ? Id(-1) : GetFirstFan(level.Mesh, vertex);
+  return hasTags  ? FindFaceOfTangents(level.Mesh, level.Tags, vertex)
+    : corner >= 0 ? level.Mesh.GetFace(corner)
+                  : Id(-1);
+}
+
+/// FindShadingNormals where the last level is not made, which then has no turned faces.
+template <typename Id>
+void FindMissingNormals(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& missing,
+  const double* points, double* normals)
+{
+  std::vector<Id> vertices;
+  std::vector<vtkIdType> parents;
+  ForEachInTurn(missing.size(),
+    [&](vtkIdType v)
+    {
+      if (missing[v])
+      {
+        steps.GetParents(steps.GetNumberOfSteps() - 1, v, parents);
+        vertices.insert(vertices.end(), parents.begin(), parents.end());
+      }
+    });
+  if (vertices.empty())
+  {
+    return;
+  }
+  SortUnique(vertices);
+  const NextPatch<Id> patch(
+    steps.GetScheme(), *steps.GetLevelOfLimits(), vertices, Depth::ForRefinement);
+  const vtkIdType size = patch.GetNext().Mesh.NumberOfVertices;
+  Buffer<unsigned char> ofPatch(size);
+  Buffer<double> values[2] = { Buffer<double>(3 * size), Buffer<double>(3 * size) };
+  ForEach(size,
+    [&](vtkIdType v)
+    {
+      const vtkIdType vertex = patch.GetVertex(v);
+      ofPatch[v] = missing[vertex];
+      std::copy_n(points + 3 * vertex, 3, values[0].begin() + 3 * v);
+      std::copy_n(normals + 3 * vertex, 3, values[1].begin() + 3 * v);
+    });
+  FindShadingNormals(
+    steps.GetScheme(), patch.GetNext(), {}, {}, ofPatch, values[0].data(), values[1].data());
+  ForEach(size, [&](vtkIdType v)
+    { std::copy_n(values[1].begin() + 3 * v, 3, normals + 3 * vtkIdType(patch.GetVertex(v))); });
+}
+
+}
+
 template <typename Id>
 TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
-  vtkDataArray* points, bool normals)
+  vtkDataArray* points, bool normals, bool tangents)
 {
   const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
-  TangentPairs tangents(rows);
+  TangentPairs pairs(0);
   Buffer<double> converted;
   const double* x = ReadDoubles(points->GetVoidPointer(0), type, 3 * rows, converted);
-  const double unit = type == VTK_FLOAT ? SingleUnit : DoubleUnit;
-  auto apply = [&](LimitKind kind, double* values)
+  const double largest = FindLargest(x, 3 * rows);
+  for (Buffer<double>& values : pairs.Values)
   {
-    steps.GetLimit(kind).ForRows(
-      [&](const RowBlock<Id>& block, vtkIdType first)
-      {
-        block.Apply(x, values + 3 * first, 3);
-        for (std::size_t row = 0; row < block.GetNumberOfRows(); ++row)
-        {
-          tangents.Errors[first + static_cast<vtkIdType>(row)] +=
-            GetTangentError(block, row, x, unit);
-        }
-      });
-  };
-  apply(LimitKind::Tangent1, tangents.Values[0].data());
-  apply(LimitKind::Tangent2, tangents.Values[1].data());
+    values = Buffer<double>(tangents ? 3 * rows : 0);
+  }
+  pairs.Normals = Buffer<double>(normals ? 3 * rows : 0);
+  Buffer<unsigned char> missing(normals ? rows : 0);
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
   const bool hasTags = !steps.GetScheme().IsDual();
-  TurnTangents(
-    turned,
-    [&level, hasTags](vtkIdType v)
+  const auto append = steps.MakeLimits();
+  const auto write = [&](FrameBlock<Id>& block, vtkIdType begin, vtkIdType end)
+  {
+    block.Sum(append, begin, end);
+    for (vtkIdType v = begin; v < end; ++v)
     {
-      const Id vertex = static_cast<Id>(v);
-      const Id corner = hasTags ? Id(-1) : GetFirstFan(level.Mesh, vertex);
-      return hasTags  ? FindFaceOfTangents(level.Mesh, level.Tags, vertex)
-        : corner >= 0 ? level.Mesh.GetFace(corner)
-                      : Id(-1);
-    },
-    tangents);
+      const Id face = turned.empty() ? -1 : FindOrientingFace(level, hasTags, static_cast<Id>(v));
+      if (face >= 0 && turned[face])
+      {
+        block.Turn(v - begin);
+      }
+      for (int k = 0; k < 2 && tangents; ++k)
+      {
+        std::copy_n(block.GetTangent(k, v - begin), 3, pairs.Values[k].begin() + 3 * v);
+      }
+      if (normals)
+      {
+        missing[v] = !block.WriteNormal(v - begin, pairs.Normals.data() + 3 * v);
+      }
+    }
+  };
+  ForRanges(rows,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      FrameBlock<Id> block(x, largest, type == VTK_FLOAT ? SingleUnit : DoubleUnit);
+      ForBlocks(first, last, [&](vtkIdType begin, vtkIdType end) { write(block, begin, end); });
+    });
   if (normals)
   {
-    FindNormals(steps.GetScheme(), level, steps.GetSharpCreases(), turned, x, tangents);
+    steps.GetLevelOfLimits() ? FindMissingNormals(steps, missing, x, pairs.Normals.data())
+                             : FindShadingNormals(steps.GetScheme(), level, steps.GetSharpCreases(),
+                                 turned, missing, x, pairs.Normals.data());
   }
-  return tangents;
+  return pairs;
 }
 
 SUBDIVISION_COMPILE_FUNCTION(FindNormals);

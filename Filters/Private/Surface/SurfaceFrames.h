@@ -19,12 +19,12 @@ namespace subdivision
 template <typename Id>
 Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned);
 
-/// The tangents at the limits of the vertices of the last level, whose faces are `turned`, and
-/// normals if they are wanted. `points`: the vertices before they are moved to the limit, float or
-/// double.
+/// The tangents at the limits of the vertices of the last level, whose faces are `turned`, and the
+/// normals, without errors, each if somebody wants them. `points`: the vertices before they are
+/// moved to the limit, float or double.
 template <typename Id>
 TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
-  vtkDataArray* points, bool normals);
+  vtkDataArray* points, bool normals, bool tangents);
 
 /// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so
 /// that normals have one side in each part; `turned`: as of FindTurnedFaces.

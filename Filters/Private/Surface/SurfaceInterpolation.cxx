@@ -30,7 +30,8 @@ void SurfaceRun<Id>::MakeControl(
   {
     SurfaceLevel<Id> level = MakeControlLevel<Id>(cells);
     level.Tags = this->Classify(level, creases.Features);
-    made = std::make_unique<SurfaceSteps<Id>>(std::move(level), this->Scheme, 0, true, nullptr);
+    made = std::make_unique<SurfaceSteps<Id>>(
+      std::move(level), this->Scheme, 0, LastLevel::Whole, nullptr);
   }
   this->SetSharpness(*made, creases);
   this->Control = made.get();

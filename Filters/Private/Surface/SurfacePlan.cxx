@@ -175,9 +175,15 @@ template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
+  // Who asks for no output, or for places, reads the level itself; sides of a part, too.
+  const bool isWhole = !this->Output || this->Options.Places || this->Options.Others;
+  const LastLevel last = !this->Options.ReadsLimit() ? LastLevel::ForCells
+    : isWhole                                        ? LastLevel::Whole
+    : this->Options.HasFrames()                      ? LastLevel::ForTangents
+                                                     : LastLevel::ForPositions;
   SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
-    this->Options.Features.Weights, this->Options.Levels, this->Options.ReadsLimit(),
-    this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
+    this->Options.Features.Weights, this->Options.Levels, last, this->Options.Use32BitIds,
+    this->MadeLevels, SurfaceCells() };
   KeptSurface<Id>* kept = nullptr;
   if (this->Options.Cache)
   {
@@ -216,9 +222,9 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     fresh.Tags = std::move(tags);
     const ClaimedLevel claimed = this->GetClaimedLevel();
     const int firstLeft = this->FindFirstLeft(cells, creases.Sharpness);
-    auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
-      this->GetAllLevels(), this->Options.ReadsLimit(), this->Options.Progress, claimed,
-      firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
+    auto own =
+      std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme, this->GetAllLevels(), last,
+        this->Options.Progress, claimed, firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
     steps = own.get();
     const int made = steps->GetNumberOfSteps();
     if (made < this->GetAllLevels())

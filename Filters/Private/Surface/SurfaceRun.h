@@ -214,7 +214,8 @@ private:
   TangentPairs FindFrames(
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
   {
-    return FindLimitTangents(steps, turned, points, this->Options.GenerateLimitNormals);
+    return FindLimitTangents(
+      steps, turned, points, this->Options.GenerateLimitNormals, this->Options.GenerateTangents);
   }
   void SetFrames(const TangentPairs& tangents)
   {

@@ -198,7 +198,8 @@ public:
     this->Sharpness = this->Draw<double>(edges, 0.1, this->Pick(0., 4.));
   }
 
-  SurfaceSteps<int> MakeSteps(SurfaceSchemeKind kind, int count, bool whole, bool semiSharp) const
+  SurfaceSteps<int> MakeSteps(
+    SurfaceSchemeKind kind, int count, LastLevel last, bool semiSharp) const
   {
     const std::shared_ptr<const SurfaceScheme<int>> scheme =
       MakeSurfaceScheme<int>(kind, this->IsSheet);
@@ -209,7 +210,7 @@ public:
     };
     SurfaceLevel<int> level = this->MakeLevel();
     level.Tags = classify(this->Features);
-    SurfaceSteps<int> steps(std::move(level), scheme, count, whole, nullptr);
+    SurfaceSteps<int> steps(std::move(level), scheme, count, last, nullptr);
     if (semiSharp && scheme->HalvesEdges())
     {
       steps.SetSharpness(this->Sharpness,
@@ -265,6 +266,17 @@ private:
   EdgeSharpness Sharpness;
 };
 
+void ExpectSameLimits(const SurfaceSteps<int>& a, const SurfaceSteps<int>& b, LimitKind kind)
+{
+  const SparseRows<int> rows = a.GetLimit(kind).Store();
+  const SparseRows<int> others = b.GetLimit(kind).Store();
+  const auto areEqual = [](const auto& one, const auto& other)
+  { return std::equal(one.begin(), one.end(), other.begin(), other.end()); };
+  EXPECT_TRUE(areEqual(rows.Offsets, others.Offsets));
+  EXPECT_TRUE(areEqual(rows.Columns, others.Columns));
+  EXPECT_TRUE(areEqual(rows.Weights, others.Weights));
+}
+
 /// Arrays that are gathered.
 vtkSmartPointer<vtkPolyData> AddArrays(const vtkSmartPointer<vtkPolyData>& input)
 {
@@ -312,8 +324,10 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevels)
       SCOPED_TRACE(entry.first + ", " + std::to_string(count) + " steps");
       Walk first(entry.second, GetParam());
       Walk second(entry.second, GetParam());
-      const SurfaceSteps<int> brief(std::move(first.Level), first.Scheme, count, false, nullptr);
-      const SurfaceSteps<int> full(std::move(second.Level), second.Scheme, count, true, nullptr);
+      const SurfaceSteps<int> brief(
+        std::move(first.Level), first.Scheme, count, LastLevel::ForCells, nullptr);
+      const SurfaceSteps<int> full(
+        std::move(second.Level), second.Scheme, count, LastLevel::Whole, nullptr);
       EXPECT_EQ(CountLeftOut(brief), CountSkipped(brief, GetParam()));
       ExpectSameSteps(brief, full);
     }
@@ -332,8 +346,10 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnRandomSurfaces)
     for (const bool semiSharp : { false, true })
     {
       SCOPED_TRACE(std::to_string(seed) + (semiSharp ? ", semi-sharp" : ""));
-      const SurfaceSteps<int> brief = surface.MakeSteps(GetParam(), count, false, semiSharp);
-      const SurfaceSteps<int> full = surface.MakeSteps(GetParam(), count, true, semiSharp);
+      const SurfaceSteps<int> brief =
+        surface.MakeSteps(GetParam(), count, LastLevel::ForCells, semiSharp);
+      const SurfaceSteps<int> full =
+        surface.MakeSteps(GetParam(), count, LastLevel::Whole, semiSharp);
       skipped += IsLeftOut(brief.GetLevel(count - 1));
       ExpectSameSteps(brief, full);
     }
@@ -353,14 +369,69 @@ TEST_P(SurfaceLastStep, IsTheSameAsOfWholeLevelsOnClosedSurfaces)
     SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(count) + " steps");
     Walk first(MakeTorus(seed, triangles), GetParam());
     Walk second(MakeTorus(seed, triangles), GetParam());
-    const SurfaceSteps<int> brief(std::move(first.Level), first.Scheme, count, false, nullptr);
-    const SurfaceSteps<int> full(std::move(second.Level), second.Scheme, count, true, nullptr);
+    const SurfaceSteps<int> brief(
+      std::move(first.Level), first.Scheme, count, LastLevel::ForCells, nullptr);
+    const SurfaceSteps<int> full(
+      std::move(second.Level), second.Scheme, count, LastLevel::Whole, nullptr);
     EXPECT_EQ(CountLeftOut(brief), CountSkipped(brief, GetParam()));
     skipped += CountLeftOut(brief) > 0;
     ExpectSameSteps(brief, full);
   }
   EXPECT_EQ(skipped >= 20,
     GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::CatmullClark);
+}
+
+/// Limits of a last level of which only counts are made.
+TEST_P(SurfaceLastStep, LimitsAreThoseOfWholeLevels)
+{
+  const WithSkippedLevels skipping;
+  const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
+  int skipped = 0;
+  for (unsigned seed = 0; seed < 40; ++seed)
+  {
+    const RandomSurface surface(seed, triangles);
+    const int count = 1 + static_cast<int>(seed) % 3;
+    for (const bool semiSharp : { false, true })
+    {
+      SCOPED_TRACE(std::to_string(seed) + (semiSharp ? ", semi-sharp" : ""));
+      const auto make = [&](LastLevel last)
+      { return surface.MakeSteps(GetParam(), count, last, semiSharp); };
+      const SurfaceSteps<int> whole = make(LastLevel::Whole);
+      const SurfaceSteps<int> positions = make(LastLevel::ForPositions);
+      const SurfaceSteps<int> tangents = make(LastLevel::ForTangents);
+      skipped += tangents.GetLevelOfLimits() != nullptr;
+      ExpectSameLimits(whole, positions, LimitKind::Position);
+      for (const LimitKind kind : { LimitKind::Position, LimitKind::Tangent1, LimitKind::Tangent2 })
+      {
+        ExpectSameLimits(whole, tangents, kind);
+      }
+    }
+  }
+  EXPECT_EQ(skipped > 10,
+    GetParam() == SurfaceSchemeKind::Loop || GetParam() == SurfaceSchemeKind::CatmullClark);
+}
+
+TEST_P(SurfaceLastStep, FramesAreThoseOfWholeLevels)
+{
+  const bool triangles = MakeSurfaceScheme<int>(GetParam(), true)->NeedsTriangles();
+  for (const auto& entry : MakeZoo(triangles))
+  {
+    for (int count = 1; count <= 3; ++count)
+    {
+      SCOPED_TRACE(entry.first + ", " + std::to_string(count) + " steps");
+      const auto run = [&](double most)
+      {
+        const WithSkippedLevels skipping(most);
+        return RunFilter(MakeInput(entry.second), static_cast<int>(GetParam()), count, true,
+          [](vtkSurfaceSubdivision* filter)
+          {
+            filter->SetGenerateLimitNormals(true);
+            filter->SetGenerateTangents(true);
+          });
+      };
+      ExpectSameBits(run(NoLevels), run(1.));
+    }
+  }
 }
 
 /// What a level knows of the step that made it saves walks, and changes nothing.

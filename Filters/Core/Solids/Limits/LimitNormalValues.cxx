@@ -86,10 +86,16 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
     return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
       rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
   };
-  const SectorTurns<Id> turns(tangents, inverted, turned);
-  auto normalOf = [&](vtkIdType sector)
+  const double largest = FindLargest(points.Values, 3 * tangents.First.GetNumberOfColumns());
+  auto getBound = [&](const SparseRows<Id>& rows, vtkIdType sector)
   {
-    Vector normal;
+    const vtkIdType begin = rows.Offsets[sector];
+    return GetTangentBound(
+      rows.Weights.data() + begin, rows.Offsets[sector + 1] - begin, largest, points.GetUnit());
+  };
+  const SectorTurns<Id> turns(tangents, inverted, turned);
+  auto findNormal = [&](vtkIdType sector, Vector& normal)
+  {
     FindNormal(first.data() + 3 * sector, second.data() + 3 * sector,
       getError(tangents.First, sector) + getError(tangents.Second, sector), normal.data());
     if (Length(normal) == 0.)
@@ -98,6 +104,15 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
       const double* b = second.data() + 3 * sector;
       FindPerpendicular(
         std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal.data());
+    }
+  };
+  auto normalOf = [&](vtkIdType sector)
+  {
+    Vector normal;
+    if (!FindClearNormal(first.data() + 3 * sector, second.data() + 3 * sector,
+          getBound(tangents.First, sector) + getBound(tangents.Second, sector), normal.data()))
+    {
+      findNormal(sector, normal);
     }
     if (turns.IsTurned(sector))
     {

@@ -21,10 +21,21 @@ namespace subdivision
 namespace
 {
 
+/// Edges and triangles around a vertex, from one edge to the next.
+template <typename Id>
+struct SectorWalk
+{
+  std::vector<Id> Edges;
+  std::vector<Id> Ends; ///< of the edges
+  std::vector<Id> Faces;
+  bool IsClosed = false;
+};
+
 /// Sectors of a stretch of vertices.
 template <typename Id>
 struct SectorPart
 {
+  SectorWalk<Id> Walk;   ///< the present one
   std::vector<Id> Sizes; ///< entries of each sector's rows
   std::vector<Id> Columns;
   std::vector<double> First;
@@ -54,18 +65,20 @@ public:
     {
       this->BlendOwnRows(creases);
     }
+    for (std::size_t size = 2; size < FewEdges; ++size)
+    {
+      for (const bool isClosed : { false, true })
+      {
+        this->Known[isClosed][size] = this->FindTangents(size, isClosed);
+      }
+    }
   }
 
   /// Appends the sectors of a vertex, and says how many they are.
   Id Append(Id vertex, SectorPart<Id>& part) const;
 
 private:
-  struct Walk
-  {
-    std::vector<Id> Edges;
-    std::vector<Id> Faces;
-    bool IsClosed = false;
-  };
+  using Walk = SectorWalk<Id>;
 
   /// Weights of two tangents: of the vertex, and of the far ends of the edges of a walk.
   struct Tangents
@@ -77,14 +90,13 @@ private:
   /// The most triangles that a sector with a tangent plane has by the plain rule.
   static constexpr std::size_t MostTriangles = 6;
   bool Follow(Id vertex, Id edge, Id face, Walk& walk) const;
-  void AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
+  void AppendSector(Id vertex, SectorPart<Id>& part) const;
   void BlendOwnRows(const SemiSharpStages<Id>& creases);
-  Tangents FindTangents(const Walk& walk) const;
+  Tangents FindTangents(std::size_t size, bool isClosed) const;
   bool IsPlain(Id vertex, const Walk& walk) const;
   void AppendAfterStep(
     Id vertex, const Walk& walk, const Tangents& tangents, double sign, SectorPart<Id>& part) const;
-  void AppendSides(
-    Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const;
+  void AppendSides(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
   std::pair<Id, double> GetSign(Id vertex, const Walk& walk) const;
   Rule RuleOf(Id edge) const { return this->Pairs.RuleOf(edge); }
   Id EdgeAcross(Id face, Id edge, Id vertex) const
@@ -102,6 +114,8 @@ private:
   const TrianglePairs<Scheme> Pairs;
   ExplicitRows<Id> OwnRows;      ///< of edges whose rule depends on sectors
   std::vector<SharpRow> Blended; ///< those of them that depend on creases that are still sharp
+  static constexpr std::size_t FewEdges = 16;
+  Tangents Known[2][FewEdges]; ///< FindTangents
 };
 
 /// Walks around a vertex from an edge over a face and further smooth edges, back to the first edge
@@ -144,14 +158,14 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
 {
   const Rule rule = this->Strata.Vertices[vertex].GetRule();
   const Row<Id> ring = this->Strata.VertexRings.GetCarriers(vertex);
-  Walk walk;
+  Walk& walk = part.Walk;
   if (rule == Rule::Surface && ring.size() > 0)
   {
     const Row<Id> faces = this->Strata.EdgeRings.GetCarriers(*ring.begin());
     if (faces.size() == 2 && this->Follow(vertex, *ring.begin(), *faces.begin(), walk) &&
       walk.IsClosed && static_cast<vtkIdType>(walk.Edges.size()) == ring.size())
     {
-      this->AppendSector(vertex, walk, part);
+      this->AppendSector(vertex, part);
       return 1;
     }
     return 0;
@@ -167,7 +181,7 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
         walk.Edges.back() == other &&
         (this->Strata.ModifiedBoundary || walk.Faces.size() <= MostTriangles))
       {
-        this->AppendSector(vertex, walk, part);
+        this->AppendSector(vertex, part);
         ++sectors;
       }
     }
@@ -177,9 +191,9 @@ typename Scheme::Id SectorWalker<Scheme>::Append(Id vertex, SectorPart<Id>& part
 
 /// Appends LimitTangents::Sides for the triangles of a walk.
 template <typename Scheme>
-void SectorWalker<Scheme>::AppendSides(
-  Id vertex, const Walk& walk, const std::vector<Id>& around, SectorPart<Id>& part) const
+void SectorWalker<Scheme>::AppendSides(Id vertex, const Walk& walk, SectorPart<Id>& part) const
 {
+  const std::vector<Id>& around = walk.Ends;
   const std::size_t before = part.Sides.size();
   for (std::size_t j = 0; j < walk.Faces.size(); ++j)
   {
@@ -214,17 +228,22 @@ std::pair<typename Scheme::Id, double> SectorWalker<Scheme>::GetSign(
 }
 
 template <typename Scheme>
-void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<Id>& part) const
+void SectorWalker<Scheme>::AppendSector(Id vertex, SectorPart<Id>& part) const
 {
-  std::vector<Id> around;
+  Walk& walk = part.Walk;
+  std::vector<Id>& around = walk.Ends;
+  around.clear();
   for (Id edge : walk.Edges)
   {
     around.push_back(this->Complex.GetOtherEnd(edge, vertex));
   }
   const auto [face, sign] = this->GetSign(vertex, walk);
   part.Triangles.push_back(face < 0 ? face : static_cast<Id>(face >> 2 * this->Solids.Steps));
-  this->AppendSides(vertex, walk, around, part);
-  const Tangents tangents = this->FindTangents(walk);
+  this->AppendSides(vertex, walk, part);
+  const bool isKnown = walk.Edges.size() < FewEdges;
+  const Tangents found =
+    isKnown ? Tangents() : this->FindTangents(walk.Edges.size(), walk.IsClosed);
+  const Tangents& tangents = isKnown ? this->Known[walk.IsClosed][walk.Edges.size()] : found;
   if (!this->IsPlain(vertex, walk))
   {
     this->AppendAfterStep(vertex, walk, tangents, sign, part);
@@ -252,12 +271,12 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, const Walk& walk, SectorPart<
 
 /// The weights where all rules stay the same in further steps.
 template <typename Scheme>
-typename SectorWalker<Scheme>::Tangents SectorWalker<Scheme>::FindTangents(const Walk& walk) const
+typename SectorWalker<Scheme>::Tangents SectorWalker<Scheme>::FindTangents(
+  std::size_t size, bool isClosed) const
 {
-  const std::size_t size = walk.Edges.size();
   Tangents tangents;
   tangents.Edges.resize(size);
-  if (walk.IsClosed)
+  if (isClosed)
   {
     for (std::size_t j = 0; j < size; ++j)
     {
@@ -315,6 +334,10 @@ void SectorWalker<Scheme>::BlendOwnRows(const SemiSharpStages<Id>& creases)
 template <typename Scheme>
 bool SectorWalker<Scheme>::IsPlain(Id vertex, const Walk& walk) const
 {
+  if (this->Blended.empty() && this->Strata.Sectors.empty())
+  {
+    return true;
+  }
   const auto isPlain = [&](Id edge)
   {
     const SharpRow row{ vtkIdType(this->Complex.NumberOfVertices) + edge, 0. };

@@ -42,6 +42,16 @@ public:
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override;
 
+  bool HasLimitsOfNext(const SurfaceLevel<Id>& /*level*/, bool tangents) const override
+  {
+    return !tangents;
+  }
+  /// All points stay.
+  void AppendLimitRowsOfNext(const SurfaceLevel<Id>& /*level*/, const IrregularRows<Id>& /*others*/,
+    LimitKind /*kind*/, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    rows.AddCopies(begin, end - begin);
+  }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 };

@@ -54,6 +54,16 @@ public:
     LimitFinder<Id>(level, tags, *this, this->ModifiedBoundary, LoopWeights::Warren)
       .AppendRows(kind, begin, end, rows);
   }
+  bool HasLimitsOfNext(const SurfaceLevel<Id>& level, bool) const override
+  {
+    return level.Mesh.Arity == 4;
+  }
+  void AppendLimitRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    LimitFinder<Id>::template AppendRowsOfNext<4>(
+      level, others, LoopWeights::Warren, kind, begin, end, rows);
+  }
 
 private:
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,

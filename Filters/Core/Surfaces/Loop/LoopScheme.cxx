@@ -49,6 +49,13 @@ public:
     LimitFinder<Id>(level, tags, *this, this->ModifiedBoundary, this->Weights)
       .AppendRows(kind, begin, end, rows);
   }
+  bool HasLimitsOfNext(const SurfaceLevel<Id>& /*level*/, bool) const override { return true; }
+  void AppendLimitRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    LimitFinder<Id>::template AppendRowsOfNext<3>(
+      level, others, this->Weights, kind, begin, end, rows);
+  }
 
 private:
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,

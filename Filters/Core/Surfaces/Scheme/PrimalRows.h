@@ -67,6 +67,19 @@ public:
     this->FindMembers(step.GetHalfEdgeIn(this->Mesh), step.Corner, others);
   }
 
+  /// Whether all vertices of the faces of an edge, or of a face, are regular.
+  bool IsRegularEdge(const IrregularRows<Id>& others, Id edge) const
+  {
+    const Id corner = this->Mesh.EdgeCorners[edge];
+    return this->IsRegularFace(others, corner / Arity) &&
+      this->IsRegularFace(others, this->Mesh.Twins[corner] / Arity);
+  }
+  bool IsRegularFace(const IrregularRows<Id>& others, vtkIdType face) const
+  {
+    const Id* x = this->Mesh.Vertices.data() + Arity * face;
+    return std::none_of(x, x + Arity, [&others](Id v) { return others.IsIrregular(v); });
+  }
+
   bool FindEdgePoint(Id edge, Id* columns) const
   {
     if (this->Tags.Edges[edge] != EdgeTag::Smooth)
@@ -247,6 +260,70 @@ private:
   const Id EdgePoints;
   const Id FacePoints;
 };
+
+/// Appends limit rows of the next level: `mask` is that of its regular vertices, and smooth(v,
+/// steps, members) appends the entries of a vertex of this level with any number of faces. What is
+/// at irregular vertices comes from `others`, since curves change the rules beside them.
+template <int Arity, std::size_t N, typename Id, typename Smooth>
+void AppendPrimalLimitsOfNext(const SurfaceLevel<Id>& level, const std::array<double, N>& mask,
+  const Smooth& smooth, const IrregularRows<Id>& others, LimitKind kind, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows)
+{
+  const PrimalRowsOfNext<Id, Arity> next(level);
+  const auto members = [&](const FanStep<Id>& step, Id* to) { next.FindMembers(step, to); };
+  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  const vtkIdType edges = level.Mesh.GetNumberOfEdges();
+  const auto appendOther = [&](vtkIdType row) { others.AppendLimit(kind, row, rows); };
+  ForKindsOfRows<3>({ vertices, edges, Arity == 4 ? level.Mesh.NumberOfFaces : 0 }, begin, end,
+    [&](std::size_t which, vtkIdType first, vtkIdType last)
+    {
+      switch (which)
+      {
+        case 0:
+          AppendVertexRows(
+            level.Mesh, level.Tags, mask, level.VerticesBefore, first, last,
+            [&](Id vertex, const std::vector<FanStep<Id>>& steps, Id* columns)
+            {
+              const bool isRegular =
+                steps.size() == (N - 1) / (Arity - 2) && !others.IsIrregular(vertex);
+              *columns++ = vertex;
+              for (std::size_t k = 0; isRegular && k < steps.size(); ++k, columns += Arity - 2)
+              {
+                members(steps[k], columns);
+              }
+              return isRegular;
+            },
+            [&](Id vertex, Id* columns)
+            { return !others.IsIrregular(vertex) && next.FindNewPoint(vertex, columns); },
+            [&](Id vertex, const std::vector<FanStep<Id>>& steps)
+            { others.IsIrregular(vertex) ? appendOther(vertex) : smooth(vertex, steps, members); },
+            rows);
+          break;
+        case 1:
+          AppendRegularGroups<1>(
+            mask, first, last,
+            [&](vtkIdType edge, Id* columns)
+            {
+              return next.FindEdgePoint(static_cast<Id>(edge), columns) &&
+                next.IsRegularEdge(others, static_cast<Id>(edge));
+            },
+            [&](vtkIdType edge) { appendOther(vertices + edge); }, rows);
+          break;
+        default:
+          if constexpr (Arity == 4)
+          {
+            AppendRegularGroups<1>(
+              mask, first, last,
+              [&](vtkIdType face, Id* columns)
+              {
+                next.FindFacePoint(face, columns);
+                return next.IsRegularFace(others, face);
+              },
+              [&](vtkIdType face) { appendOther(vertices + edges + face); }, rows);
+          }
+      }
+    });
+}
 
 /// Appends the rows of the step from the next level. With V vertices, E edges and F faces on this
 /// level they belong to its vertices, to the points of its edges and quads, to the halves of its

@@ -320,13 +320,13 @@ private:
 template <typename Id>
 void FindShadingNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned,
-  const Buffer<unsigned char>& missing, const double* points, const double* along, double* normals)
+  const Buffer<unsigned char>& missing, const double* points, double* normals)
 {
   std::vector<Id> vertices;
   ForEachInTurn(missing.size(),
     [&](vtkIdType v)
     {
-      const double* tangent = along + 3 * v;
+      double* tangent = normals + 3 * v;
       if (!missing[v])
       {
         return;
@@ -334,7 +334,7 @@ void FindShadingNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>&
       if (GetFirstFan(level.Mesh, static_cast<Id>(v)) < 0 &&
         std::any_of(tangent, tangent + 3, [](double value) { return value != 0.; }))
       {
-        FindPerpendicular(tangent, normals + 3 * v);
+        FindPerpendicular(tangent, tangent);
       }
       else if (!scheme.HasLimitStars())
       {

@@ -13,12 +13,12 @@ namespace subdivision
 {
 
 /// Writes the normals of the vertices of a level that are flagged. `points`: three numbers for each
-/// vertex, before they go to the limit. `turned`: as of FindTurnedFaces. `along`: a tangent of each
-/// vertex, or zero, which counts where it has no faces.
+/// vertex, before they go to the limit. `turned`: as of FindTurnedFaces. In `normals` each of these
+/// vertices has a tangent, or zero, which counts where it has no faces.
 template <typename Id>
 void FindShadingNormals(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
   const SharpCreases<Id>& creases, const Buffer<unsigned char>& turned,
-  const Buffer<unsigned char>& missing, const double* points, const double* along, double* normals);
+  const Buffer<unsigned char>& missing, const double* points, double* normals);
 
 }
 

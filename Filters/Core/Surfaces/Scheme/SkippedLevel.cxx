@@ -66,28 +66,8 @@ std::vector<Id> FindIrregularVertices(const SurfaceLevel<Id>& level)
 }
 
 template <typename Id>
-template <typename Renumber>
-vtkIdType IrregularRows<Id>::Translate(const IdSegments& segments, vtkIdType id, const Sizes& from,
-  const Sizes& to, const Renumber& renumber)
-{
-  vtkIdType first = 0;
-  for (const IdSegment& segment : segments)
-  {
-    const vtkIdType size = segment.OfEach * from[segment.Kind];
-    if (id < size)
-    {
-      return first + segment.OfEach * renumber(segment.Kind, id / segment.OfEach) +
-        id % segment.OfEach;
-    }
-    id -= size;
-    first += segment.OfEach * to[segment.Kind];
-  }
-  return -1;
-}
-
-template <typename Id>
-IrregularRows<Id>::IrregularRows(
-  const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level, const std::vector<Id>& vertices)
+NextPatch<Id>::NextPatch(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+  const std::vector<Id>& vertices, Depth depth)
   : Patch(level, vertices)
   , SizesOfLevel(GetSizes(level.Mesh))
   , SizesOfPatch(GetSizes(this->Patch.Level.Mesh))
@@ -103,31 +83,16 @@ IrregularRows<Id>::IrregularRows(
   own.Edges = { { Kinds::Edge, 1, {} } };
   own.Faces = { { Kinds::Face, 1, {} } };
   own.Corners = { { Kinds::Face, level.Mesh.Arity, {} } };
-  SurfaceSegments next;
   scheme.Prepare(this->Patch.Level);
-  scheme.ListChildren(this->Patch.Level, own, next);
-  SurfaceLevel<Id> nextLevel = scheme.Refine(this->Patch.Level, Depth::ForLastStep);
-  scheme.Prepare(nextLevel);
-  scheme.ListChildren(nextLevel, next, this->Children);
-  const BlockOperator<Id> rows(nextLevel.Mesh.NumberOfVertices, scheme.GetNumberOfRows(nextLevel),
-    [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-    { scheme.AppendRows(nextLevel, nextLevel.Tags, begin, end, block); });
-  this->Rows = rows.Store();
-  const std::vector<Id>* const numbers[3] = { &this->Patch.Vertices, &this->Patch.Edges,
-    &this->Patch.Faces };
-  ForEach(this->Rows.Columns.size(),
-    [&](vtkIdType i)
-    {
-      Id& column = this->Rows.Columns[i];
-      column = static_cast<Id>(Translate(next.Vertices, column, this->SizesOfPatch,
-        this->SizesOfLevel, [&](int kind, vtkIdType id) { return (*numbers[kind])[id]; }));
-    });
+  scheme.ListChildren(this->Patch.Level, own, this->Segments);
+  this->Next = scheme.Refine(this->Patch.Level, depth);
+  scheme.Prepare(this->Next);
 }
 
 /// Gives edges the first corners that they have in the level, so that rows have the same order: in
 /// the patch it was the smaller one.
 template <typename Id>
-void IrregularRows<Id>::KeepFirstCorners(const PolygonMesh<Id>& whole)
+void NextPatch<Id>::KeepFirstCorners(const PolygonMesh<Id>& whole)
 {
   Buffer<Id>& corners = this->Patch.Level.Mesh.EdgeCorners;
   ForEach(corners.size(),
@@ -141,19 +106,55 @@ void IrregularRows<Id>::KeepFirstCorners(const PolygonMesh<Id>& whole)
 }
 
 template <typename Id>
+IrregularRows<Id>::IrregularRows(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+  const std::vector<Id>& vertices, bool ofStep)
+  : Scheme(scheme)
+  , Patch(scheme, level, vertices, ofStep ? Depth::ForLastStep : Depth::ForRefinement)
+{
+  if (vertices.empty())
+  {
+    return;
+  }
+  if (!ofStep)
+  {
+    this->Flags = Buffer<unsigned char>(level.Mesh.NumberOfVertices, 0);
+    std::for_each(vertices.begin(), vertices.end(), [this](Id v) { this->Flags[v] = 1; });
+    return;
+  }
+  const SurfaceLevel<Id>& next = this->Patch.GetNext();
+  scheme.ListChildren(next, this->Patch.GetSegments(), this->Children);
+  const BlockOperator<Id> rows(next.Mesh.NumberOfVertices, scheme.GetNumberOfRows(next),
+    [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    { scheme.AppendRows(next, next.Tags, begin, end, block); });
+  this->Rows = rows.Store();
+  ForEach(this->Rows.Columns.size(),
+    [&](vtkIdType i) { this->Rows.Columns[i] = this->Patch.GetVertex(this->Rows.Columns[i]); });
+}
+
+template <typename Id>
 void IrregularRows<Id>::Append(vtkIdType row, RowBlock<Id>& rows) const
 {
-  const std::vector<Id>* const numbers[3] = { &this->Patch.Vertices, &this->Patch.Edges,
-    &this->Patch.Faces };
-  const vtkIdType own = Translate(this->Children.Vertices, row, this->SizesOfLevel,
-    this->SizesOfPatch, [&](int kind, vtkIdType id)
-    { return SurfacePatch<Id>::Find(*numbers[kind], static_cast<Id>(id)); });
+  const vtkIdType own = this->Patch.Find(this->Children.Vertices, row);
   for (Id k = this->Rows.Offsets[own]; k < this->Rows.Offsets[own + 1]; ++k)
   {
     rows.Add(this->Rows.Columns[k], this->Rows.Weights[k]);
   }
 }
 
+template <typename Id>
+void IrregularRows<Id>::AppendLimit(LimitKind kind, vtkIdType row, RowBlock<Id>& rows) const
+{
+  const vtkIdType own = this->Patch.Find(this->Patch.GetSegments().Vertices, row);
+  const SurfaceLevel<Id>& next = this->Patch.GetNext();
+  RowBlock<Id> block;
+  this->Scheme.AppendLimitRows(next, next.Tags, kind, own, own + 1, block);
+  for (std::size_t k = 0; k < block.GetNumberOfEntries(); ++k)
+  {
+    rows.Add(this->Patch.GetVertex(block.GetColumns()[k]), block.GetWeights()[k]);
+  }
+}
+
+SUBDIVISION_COMPILE(class NextPatch);
 SUBDIVISION_COMPILE(class IrregularRows);
 SUBDIVISION_COMPILE_FUNCTION(FindIrregularVertices);
 

@@ -6,6 +6,7 @@
 #include "Core/Rules/Pi.h"
 #include "Core/Rules/SectorMasks.h"
 #include "Core/Surfaces/Scheme/CurveTangents.h"
+#include "Core/Surfaces/Scheme/PrimalRows.h"
 
 #include <cmath>
 
@@ -22,6 +23,57 @@ LimitFinder<Id>::LimitFinder(const SurfaceLevel<Id>& level, const SurfaceTags<Id
   , Weights(weights)
   , Quads(!scheme.NeedsTriangles())
 {
+}
+
+/// The mask of a smooth vertex of six triangles or four quads, in the order of rows.
+template <typename Id>
+template <int Arity, std::size_t N>
+const std::array<double, N>& LimitFinder<Id>::GetRegularMask(LimitKind kind)
+{
+  static const auto masks = []
+  {
+    std::array<std::array<double, N>, 3> all;
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      const StarMask mask = MakeSmoothMask(
+        static_cast<LimitKind>(i), (N - 1) / (Arity - 2), Arity == 4, LoopWeights::Warren);
+      double* to = all[i].data();
+      *to++ = mask.Own;
+      for (std::size_t j = 0; j < mask.Edges.size(); ++j)
+      {
+        *to++ = mask.Edges[j];
+        to = std::copy_n(mask.Faces.begin() + j, Arity - 3, to);
+      }
+    }
+    return all;
+  }();
+  return masks[static_cast<std::size_t>(kind)];
+}
+
+template <typename Id>
+template <int Arity>
+void LimitFinder<Id>::AppendRowsOfNext(const SurfaceLevel<Id>& level,
+  const IrregularRows<Id>& others, LoopWeights weights, LimitKind kind, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows)
+{
+  AppendPrimalLimitsOfNext<Arity>(
+    level, GetRegularMask < Arity, Arity == 3 ? 7 : 9 > (kind),
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps, const auto& members)
+    {
+      const StarMask mask = MakeSmoothMask(kind, steps.size(), Arity == 4, weights);
+      rows.Add(vertex, mask.Own);
+      for (std::size_t j = 0; j < steps.size(); ++j)
+      {
+        Id ring[2];
+        members(steps[j], ring);
+        rows.Add(ring[0], mask.Edges[j]);
+        if (Arity == 4)
+        {
+          rows.Add(ring[1], mask.Faces[j]);
+        }
+      }
+    },
+    others, kind, begin, end, rows);
 }
 
 template <typename Id>
@@ -61,14 +113,6 @@ void LimitFinder<Id>::AddStep(const FanStep<Id>& step, Id vertex)
   this->Around.Faces.push_back(this->Mesh.GetFace(step.Corner));
   this->Around.Opposite.push_back(
     this->Mesh.Vertices[this->Mesh.Next(this->Mesh.Next(step.Corner))]);
-}
-
-template <typename Id>
-void LimitFinder<Id>::FindStar(Id vertex)
-{
-  this->Around = Star();
-  VisitCycle(this->Mesh, this->Mesh.VertexCorners[vertex],
-    [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
 }
 
 /// Whether the rules around the star are the same on all further levels.
@@ -116,10 +160,10 @@ void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
     for (std::size_t j = 0; j < mask.Edges.size(); ++j)
     {
       rows.Add(this->Around.Ends[j], mask.Edges[j]);
-    }
-    for (std::size_t j = 0; j < mask.Faces.size(); ++j)
-    {
-      rows.Add(this->Around.Opposite[j], mask.Faces[j]);
+      if (j < mask.Faces.size())
+      {
+        rows.Add(this->Around.Opposite[j], mask.Faces[j]);
+      }
     }
     return;
   }
@@ -150,51 +194,53 @@ void LimitFinder<Id>::AppendMask(Id vertex, RowBlock<Id>& rows)
 // Inside the surface
 
 template <typename Id>
-void LimitFinder<Id>::SetSmoothMask(LimitKind kind)
+typename LimitFinder<Id>::StarMask LimitFinder<Id>::MakeSmoothMask(
+  LimitKind kind, std::size_t m, bool quads, LoopWeights weights)
 {
-  const std::size_t m = this->Around.Edges.size();
   const double k = static_cast<double>(m);
-  StarMask& mask = this->Row;
+  StarMask mask;
   mask.Edges.assign(m, 0.);
-  mask.Faces.assign(this->Quads ? m : 0, 0.);
-  mask.Own = 0.;
+  mask.Faces.assign(quads ? m : 0, 0.);
   if (kind == LimitKind::Position)
   {
-    const double c = SurfaceVertexMask(static_cast<vtkIdType>(m), this->Weights).Ring;
-    const double edge = this->Quads ? 4. / (k * (k + 5.)) : 8. * c / (3. + 8. * k * c);
+    const double c = SurfaceVertexMask(static_cast<vtkIdType>(m), weights).Ring;
+    const double edge = quads ? 4. / (k * (k + 5.)) : 8. * c / (3. + 8. * k * c);
     std::fill(mask.Edges.begin(), mask.Edges.end(), edge);
     std::fill(mask.Faces.begin(), mask.Faces.end(), edge / 4.);
-    mask.Own = this->Quads ? k / (k + 5.) : 1. - k * edge;
-    return;
+    mask.Own = quads ? k / (k + 5.) : 1. - k * edge;
+    return mask;
   }
   auto wave = [kind, k](std::size_t j)
   {
     const double angle = 2. * Pi * static_cast<double>(j) / k;
     return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
   };
-  if (m == 2 && this->Quads && kind == LimitKind::Tangent2)
+  if (m == 2 && quads && kind == LimitKind::Tangent2)
   {
     mask.Faces = { 1., -1. }; // the waves of edges and of faces are two tangents then
-    return;
+    return mask;
   }
-  const double factor = this->Quads
+  const double factor = quads
     ? 1. + std::cos(2. * Pi / k) + std::cos(Pi / k) * std::sqrt(2. * (9. + std::cos(2. * Pi / k)))
     : 1.;
   for (std::size_t j = 0; j < m; ++j)
   {
     mask.Edges[j] = factor * wave(j);
-    if (this->Quads)
+    if (quads)
     {
       mask.Faces[j] = wave(j) + wave(j + 1);
     }
   }
+  return mask;
 }
 
 template <typename Id>
 void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows)
 {
-  this->FindStar(vertex);
   Star& star = this->Around;
+  star = Star();
+  VisitCycle(this->Mesh, this->Mesh.VertexCorners[vertex],
+    [&](const FanStep<Id>& step) { this->AddStep(step, vertex); });
   const auto sharp = std::find_if(star.Edges.begin(), star.Edges.end(),
     [this](Id e) { return this->Tags.Edges[e] != EdgeTag::Smooth; });
   const bool isDart = sharp != star.Edges.end();
@@ -208,7 +254,7 @@ void LimitFinder<Id>::AppendSmooth(Id vertex, LimitKind kind, RowBlock<Id>& rows
     std::rotate(star.Faces.begin(), star.Faces.begin() + turn, star.Faces.end());
     std::rotate(star.Opposite.begin(), star.Opposite.begin() + turn, star.Opposite.end());
   }
-  this->SetSmoothMask(kind);
+  this->Row = MakeSmoothMask(kind, star.Edges.size(), this->Quads, this->Weights);
   if (isDart)
   {
     const double k = static_cast<double>(star.Edges.size());
@@ -432,5 +478,13 @@ void LimitFinder<Id>::SetTransversalMask()
 }
 
 SUBDIVISION_COMPILE(class LimitFinder);
+
+#define SUBDIVISION_LIMITS_OF_NEXT(Id, Arity)                                                      \
+  template void LimitFinder<Id>::AppendRowsOfNext<Arity>(const SurfaceLevel<Id>&,                  \
+    const IrregularRows<Id>&, LoopWeights, LimitKind, vtkIdType, vtkIdType, RowBlock<Id>&)
+SUBDIVISION_LIMITS_OF_NEXT(int, 3);
+SUBDIVISION_LIMITS_OF_NEXT(int, 4);
+SUBDIVISION_LIMITS_OF_NEXT(long long, 3);
+SUBDIVISION_LIMITS_OF_NEXT(long long, 4);
 
 }

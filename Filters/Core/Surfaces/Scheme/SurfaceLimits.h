@@ -14,6 +14,8 @@
 #include "Core/Rules/LoopWeights.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
+#include <array>
+
 namespace subdivision
 {
 
@@ -34,6 +36,11 @@ public:
       rows.EndRow();
     }
   }
+
+  /// SurfaceScheme::AppendLimitRowsOfNext, where the scheme is one for faces of Arity corners.
+  template <int Arity>
+  static void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
+    LoopWeights weights, LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
 
 private:
   void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
@@ -57,9 +64,10 @@ private:
   void AppendCurvePosition(Id vertex, RowBlock<Id>& rows);
   void AppendAcross(Id vertex, const SectorEnds<Id>& ends, double turn, RowBlock<Id>& rows);
 
-  void FindStar(Id vertex);
   void AddStep(const FanStep<Id>& step, Id vertex);
-  void SetSmoothMask(LimitKind kind);
+  static StarMask MakeSmoothMask(LimitKind kind, std::size_t m, bool quads, LoopWeights weights);
+  template <int Arity, std::size_t N>
+  static const std::array<double, N>& GetRegularMask(LimitKind kind);
   void SetTransversalMask();
   void Solve(LimitKind kind, const std::vector<double>& matrix);
   std::vector<double> MakeMatrix(double own, double ring) const;

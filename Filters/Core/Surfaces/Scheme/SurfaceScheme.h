@@ -262,6 +262,17 @@ public:
   {
   }
   virtual void WriteFacesOfNext(const SurfaceLevel<Id>& /*level*/, IdsOut /*ids*/) const {}
+  /// Whether limit rows of the next level can be told, too, those of tangents where these are
+  /// wanted.
+  virtual bool HasLimitsOfNext(const SurfaceLevel<Id>& /*level*/, bool /*tangents*/) const
+  {
+    return false;
+  }
+  virtual void AppendLimitRowsOfNext(const SurfaceLevel<Id>& /*level*/,
+    const IrregularRows<Id>& /*others*/, LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/,
+    RowBlock<Id>& /*rows*/) const
+  {
+  }
 };
 
 }

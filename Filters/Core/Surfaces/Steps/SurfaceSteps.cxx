@@ -68,12 +68,12 @@ void CopyIds(const Buffer<Id>& from, Out* to)
 
 template <typename Id>
 SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
-  std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, bool lastIsWhole,
+  std::shared_ptr<const SurfaceScheme<Id>> scheme, int steps, LastLevel last,
   const std::function<bool(double)>& stop, const ClaimedLevel& claimed, CellSplits* splits,
   int firstLeft)
   : Left(static_cast<std::size_t>(steps) + 1)
   , Scheme(std::move(scheme))
-  , LastIsWhole(lastIsWhole)
+  , Last(last)
 {
   this->Levels.reserve(steps + 1);
   this->Levels.push_back(std::move(control));
@@ -97,16 +97,42 @@ SurfaceSteps<Id>::SurfaceSteps(SurfaceLevel<Id>&& control,
       this->ChooseSkipped(step, steps);
     }
     const bool isLast = step + 1 == steps;
-    const Depth depth = lastIsWhole      ? Depth::ForRefinement
+    this->SkipsLast = isLast && !splits && this->SkipsLastAfter(step);
+    const bool isWhole = last != LastLevel::ForCells && !this->SkipsLast;
+    const Depth depth = isWhole          ? Depth::ForRefinement
       : step >= this->LastMade || isLast ? Depth::ForCounts
       : step + 2 < steps                 ? Depth::ForSteps
                                          : Depth::ForLastStep;
     this->Levels.push_back(this->Scheme->Refine(level, depth));
   }
-  if (lastIsWhole)
+  if (last != LastLevel::ForCells && !this->SkipsLast)
   {
     this->Scheme->Prepare(this->Levels.back());
   }
+}
+
+/// Whether limits of the level after a step can be told from the level before it. Where faces of
+/// the control mesh have other orientations than their neighbours, sides of tangents need the
+/// level.
+template <typename Id>
+bool SurfaceSteps<Id>::SkipsLastAfter(int step)
+{
+  const SurfaceLevel<Id>& level = this->Levels[step];
+  const PolygonMesh<Id>& control = this->Levels[0].Mesh;
+  if (this->Last == LastLevel::ForCells || this->Last == LastLevel::Whole ||
+    !this->Scheme->HasLimitsOfNext(level, this->Last == LastLevel::ForTangents) ||
+    !AreAll(control.GetNumberOfCorners(),
+      [&control](vtkIdType corner)
+      {
+        const Id twin = control.Twins[corner];
+        return twin < 0 || control.Vertices[twin] != control.Vertices[corner];
+      }))
+  {
+    return false;
+  }
+  this->Irregular = FindIrregularVertices(level);
+  return static_cast<double>(this->Irregular.size()) <=
+    MostIrregularVertices * static_cast<double>(level.Mesh.NumberOfVertices);
 }
 
 /// Finds the lines and faces of a level that go on; if `crops`, leaves them and their neighbours.
@@ -173,7 +199,7 @@ template <typename Id>
 void SurfaceSteps<Id>::ChooseSkipped(int step, int steps)
 {
   const SurfaceLevel<Id>& level = this->Levels[step];
-  if (this->LastIsWhole || step + 2 != steps || !this->Scheme->SkipsNext(level))
+  if (this->Last != LastLevel::ForCells || step + 2 != steps || !this->Scheme->SkipsNext(level))
   {
     return;
   }
@@ -297,9 +323,15 @@ void SurfaceSteps<Id>::SetSharpness(const EdgeSharpness& sharpness,
       this->FindSharpTags(sharpness, step, step, classify),
       ListEdgesSharpAfter<Id>(sharpness, step));
   }
-  if (!this->LastIsWhole || !IsSharpAfter(sharpness, steps))
+  if (this->Last == LastLevel::ForCells || !IsSharpAfter(sharpness, steps))
   {
     return;
+  }
+  if (this->SkipsLast)
+  {
+    this->Levels[steps] = this->Scheme->Refine(this->Levels[steps - 1], Depth::ForRefinement);
+    this->Scheme->Prepare(this->Levels[steps]);
+    this->SkipsLast = false;
   }
   // One stage for each range of steps in which the same edges are sharp, wholly or in part.
   this->Creases.Edges = ListEdgesSharpAfter<Id>(sharpness, steps);
@@ -349,7 +381,7 @@ typename BlockOperator<Id>::Append SurfaceSteps<Id>::MakeStep(int step) const
   {
     const SurfaceLevel<Id>& before = this->Levels[this->LastMade];
     const auto others =
-      std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular);
+      std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular, true);
     return [this, &before, others](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
     { this->Scheme->AppendRowsOfNext(before, *others, begin, end, block); };
   }
@@ -360,16 +392,32 @@ typename BlockOperator<Id>::Append SurfaceSteps<Id>::MakeStep(int step) const
 template <typename Id>
 BlockOperator<Id> SurfaceSteps<Id>::GetLimit(LimitKind kind) const
 {
-  const SurfaceLevel<Id>& level = this->Levels.back();
-  const vtkIdType vertices = level.Mesh.NumberOfVertices;
+  const vtkIdType vertices = this->Levels.back().Mesh.NumberOfVertices;
   return BlockOperator<Id>(vertices, vertices,
-    [this, &level, kind](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
-    {
-      this->Limits.ForEachOther(
-        begin, end, [&](vtkIdType first, vtkIdType last)
-        { this->Scheme->AppendLimitRows(level, level.Tags, kind, first, last, block); },
-        [&](vtkIdType at) { this->Limits.Append(at, kind, block); });
-    });
+    [append = this->MakeLimits(), kind](vtkIdType begin, vtkIdType end, RowBlock<Id>& block)
+    { append(kind, begin, end, block); });
+}
+
+template <typename Id>
+typename SurfaceSteps<Id>::AppendLimits SurfaceSteps<Id>::MakeLimits() const
+{
+  if (this->SkipsLast)
+  {
+    const SurfaceLevel<Id>& before = *this->GetLevelOfLimits();
+    const auto others =
+      std::make_shared<const IrregularRows<Id>>(*this->Scheme, before, this->Irregular, false);
+    return
+      [this, &before, others](LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+    { this->Scheme->AppendLimitRowsOfNext(before, *others, kind, begin, end, rows); };
+  }
+  const SurfaceLevel<Id>& level = this->Levels.back();
+  return [this, &level](LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+  {
+    this->Limits.ForEachOther(
+      begin, end, [&](vtkIdType first, vtkIdType last)
+      { this->Scheme->AppendLimitRows(level, level.Tags, kind, first, last, rows); },
+      [&](vtkIdType at) { this->Limits.Append(at, kind, rows); });
+  };
 }
 
 template <typename Id>

@@ -34,17 +34,26 @@ struct ClaimedLevel
   }
 };
 
+/// How much there is of the last level: what its cells need, or what limits and their tangents
+/// need, too, or all.
+enum class LastLevel
+{
+  ForCells,
+  ForPositions,
+  ForTangents,
+  Whole
+};
+
 template <typename Id>
 class SurfaceSteps
 {
 public:
-  /// Makes the levels. `control` is level 0 with its tags. The last level gets only the arrays of
-  /// its cells, or, if `lastIsWhole`, all, so that limits can be computed. `stop(part)` receives
+  /// Makes the levels. `control` is level 0 with its tags. `stop(part)` receives
   /// the progress and returns true to stop; then there are fewer levels than asked for, as where a
   /// level exceeds `claimed`. Where `splits` say which lines and faces go on, levels from
   /// `firstLeft` on have only these, and faces on which they depend.
   SurfaceSteps(SurfaceLevel<Id>&& control, std::shared_ptr<const SurfaceScheme<Id>> scheme,
-    int steps, bool lastIsWhole, const std::function<bool(double)>& stop,
+    int steps, LastLevel last, const std::function<bool(double)>& stop,
     const ClaimedLevel& claimed = ClaimedLevel(), CellSplits* splits = nullptr, int firstLeft = 1);
 
   /// Replaces angles and flatness of the sectors by the values of `control` on all levels. Returns
@@ -76,8 +85,17 @@ public:
   Buffer<Carrier<Id>> FindCarriers(int first, int last) const;
 
   BlockOperator<Id> GetStep(int step) const;
-  /// The limits of the vertices of the last level, which must have been made with `lastIsWhole`.
+  /// The limits of the vertices of the last level, which must be there for limits.
   BlockOperator<Id> GetLimit(LimitKind kind) const;
+  /// Appends rows [begin, end) of this operator, as long as this object lives.
+  using AppendLimits =
+    std::function<void(LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)>;
+  AppendLimits MakeLimits() const;
+  /// The level before the last one, if of this one only counts are there, although limits are.
+  const SurfaceLevel<Id>* GetLevelOfLimits() const
+  {
+    return this->SkipsLast ? &this->Levels[this->Levels.size() - 2] : nullptr;
+  }
   /// The creases of that level which are still sharp.
   const SharpCreases<Id>& GetSharpCreases() const { return this->Creases; }
 
@@ -98,6 +116,7 @@ private:
   void Leave(int level, CellSplits& splits, bool crops);
   typename BlockOperator<Id>::Append MakeStep(int step) const;
   void ChooseSkipped(int step, int steps);
+  bool SkipsLastAfter(int step);
   /// Whether the level before a step has only its counts and lines (SkippedLevel.h).
   bool StartsFromSkipped(int step) const { return step > this->LastMade; }
 
@@ -114,10 +133,11 @@ private:
   SharpCreases<Id> Creases; ///< that are still sharp after the last step, where limits are known
   SharpLimits<Id> Limits;   ///< at vertices near these
   std::shared_ptr<const SurfaceScheme<Id>> Scheme;
-  bool LastIsWhole;
+  LastLevel Last;
+  bool SkipsLast = false; ///< limits come from the level before
   /// If the last level but one is skipped, the one before it.
   int LastMade = std::numeric_limits<int>::max();
-  std::vector<Id> Irregular; ///< then: FindIrregularVertices of that level
+  std::vector<Id> Irregular; ///< FindIrregularVertices of that level, or of the one before the last
   /// The control level's tags as they were given.
   Buffer<EdgeTag> GivenEdges;
   Buffer<VertexTag> GivenVertices;
