@@ -14,6 +14,7 @@
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/ToldWarnings.h"
+#include "Private/Surface/FaceCounts.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Values/MaterialFields.h"
 #include "Private/Values/MissingValues.h"
@@ -209,7 +210,6 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
   distribution.Kept = this->Kept.get();
-  distribution.Layers = this->GetLayersOfCells();
   if (this->SharesRanks() && this->HasGhostLayers())
   {
     distribution.GhostLayers =
@@ -325,6 +325,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
           return this->HasInterfaces()
             ? subdivision::RunWithMaterialFields(masked, to, options, fields, run)
             : run(masked, to);
+  this->Agree();
+  distribution.Layers = this->GetLayersOfCells();
         };
         return subdivision::RunWithMissingValues(mesh, subdivided, options, runMesh);
       });
@@ -434,7 +436,7 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
       const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
       copy->ShallowCopy(grid);
       this->Prepare(grid, copy); // while cells have their ids
-      return subdivision::MakeSurface(copy, this->HasOriginalCellIds(), warnings);
+      return subdivision::MakeSurface(copy, takesOutside, this->HasOriginalCellIds(), warnings);
     });
 }
 
@@ -471,6 +473,16 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   }
   if (this->PreserveInterfaces && !options.Material)
   {
+  // Blocks and ranks may share faces of solids, which are no outside then.
+  int blocksOfSolids = 0;
+  subdivision::ChangeMeshes(vtkDataObjectTree::SafeDownCast(input),
+    [&](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      const subdivision::FaceCounts counts = subdivision::CountFaces(mesh);
+      blocksOfSolids += counts[2] + counts[3] > 0. ? 1 : 0;
+      return mesh;
+    });
+  const bool takesOutside = !this->SharesRanks() && (!this->JoinBlocks || blocksOfSolids < 2);
     run.Fail("PreserveInterfaces needs a cell array of materials: set array index 1, or name the "
              "array MaterialId.");
     return false;

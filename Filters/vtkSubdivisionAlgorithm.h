@@ -602,6 +602,9 @@ protected:
     vtkInformationVector* outputVector) override;
   int ComputeInputUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  /// Called on all ranks together after Inspect, also where that was not reached: what each found
+  /// becomes one choice.
+  virtual void Agree() {}
 
   /// Indices of SetInputArrayToProcess that mean the same in every filter.
   enum ArrayIndices
