@@ -209,6 +209,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /// The output is of the input's type.
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
+  bool CanJoinSides() const override { return false; } // both meshes keep their points
+
     vtkInformationVector* outputVector) override;
   int ExecuteInformation(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
