@@ -361,7 +361,7 @@ class Results(unittest.TestCase):
                 subdivisionobjects.subdivide(TET, CELL, **more)
         with self.assertWarnsRegex(UserWarning, "cell 1, type 10, tetra. with a point"):
             subdivisionobjects.subdivide(np.vstack([TET, [[np.nan] * 3]]), [[0, 1, 2, 3], [1, 2, 3, 4]])
-        with self.assertRaisesRegex(RuntimeError, "rest_mesh is missing; .* cage_around, deformed_mesh the same"):
+        with self.assertRaisesRegex(RuntimeError, "deformed_mesh is missing; .* cage_around, deformed_mesh the same"):
             subdivisionobjects.deformation(TET)
         with self.assertRaisesRegex(ValueError, r"rest_mesh: tetra 0 has point ids \[0, 1, 2, 9\]"):
             subdivisionobjects.deformation(TET, rest_mesh=(TET, [[0, 1, 2, 9]]))
