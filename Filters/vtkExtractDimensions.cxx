@@ -7,6 +7,7 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkExtractDimensions);
@@ -43,8 +44,10 @@ int vtkExtractDimensions::RequestData(
   subdivision::ConnectToFilter(this, options, failed);
   const auto take = [&]
   {
+    auto* ranks = vtkMultiProcessController::GetGlobalController();
+    const bool isWhole = !ranks || ranks->GetNumberOfProcesses() == 1;
     const auto part = subdivision::TakeDimensions(
-      vtkDataObject::GetData(inputVector[0]), this->OutputDimensions, options.Warn);
+      vtkDataObject::GetData(inputVector[0]), this->OutputDimensions, isWhole, options.Warn);
     if (options.Progress(0.9))
     {
       return false;

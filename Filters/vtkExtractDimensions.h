@@ -11,7 +11,8 @@
  * Point and cell data follow their points and cells, with ids, ghost types and active attributes.
  * Field data pass through, but for the stamps by which filters of this project recognise their own
  * output: they cannot go on with a part of the cells. With all dimensions the output is the input.
- * Each rank works on its part by itself. Blocks of other classes pass through.
+ * A warning tells, on one rank, where there is nothing to extract, and which cells there are. Each
+ * rank works on its part by itself. Blocks of other classes pass through.
  *
  * @sa
  * vtkMultiDimensionalSubdivision

@@ -31,8 +31,8 @@ const char* vtkMultiDimensionalSubdivision::DescribeBezierNeeds() const
 
 vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObject* made)
 {
-  const auto part = subdivision::TakeDimensions(
-    made, this->OutputDimensions, [](const std::string&) {}); // all points of the own output exist
+  const auto part = subdivision::TakeDimensions(made, this->OutputDimensions, !this->SharesRanks(),
+    [this](const std::string& text) { subdivision::Warn(this, text); });
   return this->MakeBezierCells(part, part == made);
 }
 

@@ -174,10 +174,7 @@ bool vtkRefinementAlgorithm::ReadCriteria(vtkPointSet* input,
   }
   if (this->RefineByAttributeError && !this->RefineBySelection && criteria.IsEmpty())
   {
-    static_assert(ATTRIBUTE_ARRAY == 5, "the message says so"); // GCC 14 warns of a sum of strings
-    options.Warn("There is nothing to refine by: the input has neither active point scalars nor a "
-                 "floating point array of points. Choose an array (array index 5), or another "
-                 "criterion.");
+    criteria.ByGeometricError = true; // the default does something on each mesh
   }
   return true;
 }

@@ -61,7 +61,8 @@ public:
    * Whether edges are split along which the point array at index 5 has an error
    * (AttributeErrorKind) above AttributeTolerance. Several components are taken as a vector. An
    * edge with a value that is not finite is not split for this reason; a warning says how many
-   * there are. On by default.
+   * there are. Where the input has no such array and nothing else is asked for, edges are split as
+   * by RefineByGeometricError. On by default.
    */
   vtkSetMacro(RefineByAttributeError, bool);
   vtkGetMacro(RefineByAttributeError, bool);

@@ -14,6 +14,7 @@
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/ToldWarnings.h"
+#include "Private/Surface/FaceCounts.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Values/MaterialFields.h"
 #include "Private/Values/MissingValues.h"
@@ -147,13 +148,23 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
   const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
                                                    : subdivision::NonLinearRule::Corners;
   const auto readable = subdivision::MakeReadable(input, rule, warnings);
-  return this->MergePoints && readable ? this->MergeIn(readable, warnings) : readable;
+  if (!readable)
+  {
+    return readable;
+  }
+  return this->MergePoints ? this->MergeIn(readable, warnings) : this->JoinIn(readable, warnings);
 }
 
 bool vtkSubdivisionAlgorithm::KeepsCopies() const
 {
-  return this->MergePoints && this->MergedValues == KEEP_VALUES && !this->HasSeams() &&
-    this->HasInterfaces() && this->InterfaceValues == CONTINUOUS_VALUES && !this->SharesRanks();
+  return this->JoinedSidesJump ||
+    (this->MergePoints && this->MergedValues == KEEP_VALUES && this->CanKeepCopies());
+}
+
+bool vtkSubdivisionAlgorithm::CanKeepCopies() const
+{
+  return !this->HasSeams() && this->HasInterfaces() && this->InterfaceValues == CONTINUOUS_VALUES &&
+    !this->SharesRanks();
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
@@ -184,6 +195,43 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
   return subdivision::MergeCoincidentPoints(readable, options, warnings);
 }
 
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::JoinIn(
+  vtkDataObject* readable, std::vector<std::string>& warnings)
+{
+  bool jumps = this->InterfaceValues == DISCONTINUOUS_VALUES;
+  const auto look = [&](vtkDataObject* data, unsigned int) -> vtkSmartPointer<vtkDataObject>
+  {
+    auto* mesh = vtkPointSet::SafeDownCast(data);
+    jumps = jumps ||
+      (mesh &&
+        (mesh->GetPointData()->HasArray(subdivision::MaterialPointIdsName) ||
+          (this->HasSeams() && this->JoinsSeams() && mesh->GetPointData()->GetTCoords())));
+    return data;
+  };
+  subdivision::ChangeMeshes(readable, look);
+  if (!this->JoinSides || !this->CanJoinSides() || this->SharesRanks() || jumps)
+  {
+    return readable;
+  }
+  subdivision::MergeOptions options;
+  options.OfSides = true;
+  options.JoinsBlocks = this->JoinBlocks;
+  options.HasSeams = this->HasSeams();
+  options.HasCopies = this->CanKeepCopies() && this->HasOutput();
+  options.Values = options.HasSeams || options.HasCopies ? subdivision::MergedValues::Keep
+                                                         : subdivision::MergedValues::First;
+  const auto joined = subdivision::MergeCoincidentPoints(readable, options, warnings);
+  subdivision::ChangeMeshes(joined,
+    [&](vtkDataObject* data, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      auto* mesh = vtkPointSet::SafeDownCast(data);
+      this->JoinedSidesJump = this->JoinedSidesJump ||
+        (mesh && mesh->GetCellData()->HasArray(subdivision::MergedPartsName));
+      return data;
+    });
+  return joined;
+}
+
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
   vtkDataObject*, vtkDataObject* readable)
 {
@@ -209,7 +257,6 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   distribution.Controller = this->Controller;
   distribution.IsOfSurfaces = this->IsOfSurfaces();
   distribution.Kept = this->Kept.get();
-  distribution.Layers = this->GetLayersOfCells();
   if (this->SharesRanks() && this->HasGhostLayers())
   {
     distribution.GhostLayers =
@@ -240,6 +287,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkSmartPointer<vtkDataObject> readable;
   subdivision::PointSources sources;
   bool failed = false;
+  this->JoinedSidesJump = false;
   this->PrepareRun(given);
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkInformationDoubleKey* const step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -277,6 +325,8 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
     output->Initialize();
     return failed ? 0 : 1;
   }
+  this->Agree();
+  distribution.Layers = this->GetLayersOfCells();
   options.Part = all.Take(0.05, 0.95);
   subdivision::MaterialFieldOptions fields;
   fields.IsOn = hasFields;
@@ -423,6 +473,16 @@ void vtkSubdivisionAlgorithm::ReadInterpolation(
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
   vtkDataObject* input, std::vector<std::string>& warnings)
 {
+  // Blocks and ranks may share faces of solids, which are no outside then.
+  int blocksOfSolids = 0;
+  subdivision::ChangeMeshes(vtkDataObjectTree::SafeDownCast(input),
+    [&](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
+    {
+      const subdivision::FaceCounts counts = subdivision::CountFaces(mesh);
+      blocksOfSolids += counts[2] + counts[3] > 0. ? 1 : 0;
+      return mesh;
+    });
+  const bool takesOutside = !this->SharesRanks() && (!this->JoinBlocks || blocksOfSolids < 2);
   return subdivision::ChangeMeshes(input,
     [&](vtkDataObject* mesh, unsigned int) -> vtkSmartPointer<vtkDataObject>
     {
@@ -434,7 +494,7 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
       const auto copy = vtkSmartPointer<vtkUnstructuredGrid>::New();
       copy->ShallowCopy(grid);
       this->Prepare(grid, copy); // while cells have their ids
-      return subdivision::MakeSurface(copy, this->HasOriginalCellIds(), warnings);
+      return subdivision::MakeSurface(copy, takesOutside, this->HasOriginalCellIds(), warnings);
     });
 }
 
@@ -537,6 +597,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
+  os << indent << "JoinSides: " << this->JoinSides << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "MergedValues: " << this->MergedValues << "\n";
   os << indent << "CloseHangingNodes: " << this->CloseHangingNodes << "\n";

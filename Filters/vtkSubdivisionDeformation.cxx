@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionDeformation.h"
 
+#include "vtkSubdivisionCageSource.h"
+
 #include "Private/Deformation/Deformation.h"
 #include "Private/Distribution/Distribution.h"
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/FilterRun.h"
 
+#include "vtkCellType.h"
 #include "vtkDataObject.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <set>
@@ -179,32 +185,37 @@ int vtkSubdivisionDeformation::RequestData(
     output->Initialize();
     return failed ? 0 : 1;
   }
-  for (int port = 1; port < 3; ++port)
+  if (this->GetNumberOfInputConnections(2) == 0)
   {
-    if (this->GetNumberOfInputConnections(port) == 0)
-    {
-      subdivision::Fail(this,
-        std::string(port == 1 ? "RestMesh (input port 1)" : "DeformedMesh (input port 2)") +
-          " is missing; the output is the input. RestMesh is a mesh of solid cells around the "
-          "input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the same with its "
-          "points moved.");
-      output->ShallowCopy(object);
-      return 1;
-    }
+    subdivision::Fail(this,
+      "DeformedMesh (input port 2) is missing; the output is the input. RestMesh is a mesh of "
+      "solid "
+      "cells around the input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the same "
+      "with its points moved.");
+    output->ShallowCopy(object);
+    return 1;
   }
+  const bool hasRest = this->GetNumberOfInputConnections(1) > 0;
   auto warn = [this](const std::string& message) { subdivision::Warn(this, message); };
   std::vector<std::string> warnings;
   vtkSmartPointer<vtkPointSet> rest;
   vtkSmartPointer<vtkPointSet> deformed;
   const auto read = [&]
   {
-    rest =
-      subdivision::GatherMesh(this->ReadInput(vtkDataObject::GetData(inputVector[1]), warnings),
-        this->GetController(), warn);
+    if (hasRest)
+    {
+      rest =
+        subdivision::GatherMesh(this->ReadInput(vtkDataObject::GetData(inputVector[1]), warnings),
+          this->GetController(), warn);
+    }
     std::for_each(warnings.begin(), warnings.end(), warn); // those of both meshes are the same
     deformed =
       subdivision::GatherMesh(this->ReadInput(vtkDataObject::GetData(inputVector[2]), warnings),
         this->GetController(), warn);
+    if (!hasRest && deformed)
+    {
+      rest = this->MakeCage(vtkDataObject::GetData(inputVector[0]), deformed);
+    }
     return true;
   };
   const bool isAlone = !this->GetController() || this->GetController()->GetNumberOfProcesses() == 1;
@@ -219,6 +230,14 @@ int vtkSubdivisionDeformation::RequestData(
   const int result = subdivision::RunOnBlocks(this, object, output, traits, options,
     [&](vtkPointSet* input, vtkPointSet* made)
     {
+      if (!hasRest && deformed && !rest)
+      {
+        options.Fail(
+          "RestMesh (input port 1) is missing, and DeformedMesh is no cage around the "
+          "input, as vtkSubdivisionCageSource makes it: the output is the input. Connect "
+          "the mesh that DeformedMesh was before its points were moved.");
+        return false;
+      }
       if (!rest || !deformed)
       {
         options.Fail(
@@ -231,6 +250,35 @@ int vtkSubdivisionDeformation::RequestData(
     });
   this->Work->ForgetUnused();
   return result;
+}
+
+/// The first tetrahedron goes along x, y and z: its ids are 0, 1, and the points of a row and of a
+/// layer more.
+vtkSmartPointer<vtkPointSet> vtkSubdivisionDeformation::MakeCage(
+  vtkDataObject* object, vtkPointSet* deformed) const
+{
+  vtkNew<vtkIdList> ids;
+  if (deformed->GetNumberOfCells() > 0 && deformed->GetCellType(0) == VTK_TETRA)
+  {
+    deformed->GetCellPoints(0, ids);
+  }
+  const vtkIdType row = ids->GetNumberOfIds() == 4 ? ids->GetId(2) - ids->GetId(1) : 0;
+  const vtkIdType layer = ids->GetNumberOfIds() == 4 ? ids->GetId(3) - ids->GetId(2) : 0;
+  if (row < 2 || layer < 2 * row)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetController(this->GetController());
+  source->SetInputDataObject(0, object);
+  source->SetNumberOfCells(static_cast<int>(std::min<vtkIdType>(row - 1, 100)),
+    static_cast<int>(std::min<vtkIdType>(layer / row - 1, 100)),
+    static_cast<int>(std::min<vtkIdType>(deformed->GetNumberOfPoints() / layer - 1, 100)));
+  source->Update();
+  vtkUnstructuredGrid* cage = source->GetOutput();
+  const bool fits = cage->GetNumberOfPoints() == deformed->GetNumberOfPoints() &&
+    cage->GetNumberOfCells() == deformed->GetNumberOfCells();
+  return fits ? cage : nullptr;
 }
 
 void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)

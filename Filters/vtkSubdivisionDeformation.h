@@ -29,10 +29,13 @@
  *  - port 0, the object: any vtkPointSet (the output has its type), vtkImageData or
  *    vtkRectilinearGrid (the output is a vtkStructuredGrid), or a composite of these, each of which
  *    is deformed by itself.
- *  - port 1, the control mesh at rest: vtkUnstructuredGrid, vtkPolyData or structured data, with
- * the cells, arrays and options of features that vtkSubdivisionAlgorithm describes; cell arrays are
- * read from this mesh.
+ *  - port 1, not required, the control mesh at rest: vtkUnstructuredGrid, vtkPolyData or structured
+ * data, with the cells, arrays and options of features that vtkSubdivisionAlgorithm describes; cell
+ * arrays are read from this mesh.
  *  - port 2, the control mesh deformed: the same points and cells in the same order.
+ * Without port 1 the rest mesh is a cage around the object, as vtkSubdivisionCageSource makes it
+ * around an input with its defaults: all of the object is inside the smoothed cage. It has as many
+ * boxes along each axis as port 2, which has to be such a cage with its points moved.
  * Any of the three may change with time. Ports 1 and 2 take composite data sets of such meshes too:
  * whatever JoinBlocks is, all blocks are one control mesh, in which points of the same global id
  * or, without ids, of the same coordinates are one point. The parts that several ranks have
@@ -74,13 +77,13 @@
  * points and cells of port 0 are deformed like all others.
  *
  * @par Errors
- * The filter gives an error, with the input as output, if rest or deformed mesh is not connected,
- * if rest and deformed mesh differ in points or cells, if a deformed control point is not finite,
- * if there are points outside and OutsidePoints is OUTSIDE_ERROR, if the rest mesh has a solid and
- * SurfaceScheme is CATMULL_CLARK, or if the rest mesh cannot be subdivided within
- * MaximumNumberOfCells or the memory. It warns if the rest mesh has no cells (the output is the
- * input), or inverted or flat solid cells, if the deformed mesh turns cells inside out, and of
- * points outside when they are looked up for the first time.
+ * The filter gives an error, with the input as output, if the deformed mesh is not connected, or
+ * without a rest mesh is no cage, if rest and deformed mesh differ in points or cells, if a
+ * deformed control point is not finite, if there are points outside and OutsidePoints is
+ * OUTSIDE_ERROR, if the rest mesh has a solid and SurfaceScheme is CATMULL_CLARK, or if the rest
+ * mesh cannot be subdivided within MaximumNumberOfCells or the memory. It warns if the rest mesh
+ * has no cells (the output is the input), or inverted or flat solid cells, if the deformed mesh
+ * turns cells inside out, and of points outside when they are looked up for the first time.
  *
  * InterpolateIntegers, InterpolatePoints, InterpolateArrays, InterfaceValues, GenerateOriginalIds
  * and GenerateGlobalIds have no effect here.
@@ -206,6 +209,8 @@ protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;
 
+  bool CanJoinSides() const override { return false; } // both meshes keep their points
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /// The output is of the input's type.
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,
@@ -224,6 +229,9 @@ protected:
   bool TransformVectors = true;
 
 private:
+  /// The cage around an object that has the lattice of a deformed one; null if that is none.
+  vtkSmartPointer<vtkPointSet> MakeCage(vtkDataObject* object, vtkPointSet* deformed) const;
+
   std::unique_ptr<subdivision::Deformation> Work;
 
   vtkSubdivisionDeformation(const vtkSubdivisionDeformation&) = delete;

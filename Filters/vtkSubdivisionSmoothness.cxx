@@ -69,7 +69,7 @@ int vtkSubdivisionSmoothness::RequestData(
       if (auto* grid = vtkUnstructuredGrid::SafeDownCast(input))
       {
         std::vector<std::string> warnings;
-        surface = subdivision::MakeSurface(grid, false, warnings);
+        surface = subdivision::MakeSurface(grid, true, false, warnings);
         subdivision::Tell(warnings, options);
       }
       // Cells have other ids now.

@@ -3,8 +3,11 @@
 
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Surface/FaceCounts.h"
 #include "Private/Surface/SurfaceBounds.h"
 
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -19,7 +22,7 @@ vtkSurfaceSubdivision::~vtkSurfaceSubdivision() = default;
 bool vtkSurfaceSubdivision::EvaluateLimit(
   vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result)
 {
-  if (this->Scheme != LOOP && this->Scheme != CATMULL_CLARK)
+  if (this->Scheme != LOOP && this->Scheme != CATMULL_CLARK && this->Scheme != AUTOMATIC)
   {
     result->Initialize();
     subdivision::Fail(this, "Places have limits with Scheme = Loop or CatmullClark only.");
@@ -30,7 +33,8 @@ bool vtkSurfaceSubdivision::EvaluateLimit(
 
 const char* vtkSurfaceSubdivision::DescribeBezierNeeds() const
 {
-  return this->Scheme == LOOP || this->Scheme == CATMULL_CLARK || this->Scheme == LINEAR
+  const int scheme = this->GetSchemeInUse();
+  return scheme == LOOP || scheme == CATMULL_CLARK || scheme == LINEAR
     ? nullptr
     : "Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay linear.";
 }
@@ -38,7 +42,29 @@ const char* vtkSurfaceSubdivision::DescribeBezierNeeds() const
 int vtkSurfaceSubdivision::GetLayersOfCells() const
 {
   return subdivision::CountLayersOfSurface(
-    static_cast<subdivision::SurfaceSchemeKind>(this->Scheme));
+    static_cast<subdivision::SurfaceSchemeKind>(this->GetSchemeInUse()));
+}
+
+void vtkSurfaceSubdivision::Inspect(vtkDataObject* input, vtkDataObject* readable)
+{
+  if (this->Scheme == AUTOMATIC)
+  {
+    this->FacesOfRank = subdivision::CountFaces(readable);
+    this->Automatic = subdivision::HasMostlyQuads(this->FacesOfRank) ? CATMULL_CLARK : LOOP;
+  }
+  this->Superclass::Inspect(input, readable);
+}
+
+/// All ranks take the scheme that fits the faces of all.
+void vtkSurfaceSubdivision::Agree()
+{
+  if (this->Scheme == AUTOMATIC && this->SharesRanks())
+  {
+    subdivision::FaceCounts all;
+    this->Controller->AllReduce(
+      this->FacesOfRank.data(), all.data(), all.size(), vtkCommunicator::SUM_OP);
+    this->Automatic = subdivision::HasMostlyQuads(all) ? CATMULL_CLARK : LOOP;
+  }
 }
 
 int vtkSurfaceSubdivision::RequestData(
@@ -46,7 +72,7 @@ int vtkSurfaceSubdivision::RequestData(
 {
   subdivision::SurfaceOptions options;
   this->ReadLevelOptions(options);
-  options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->Scheme);
+  this->FacesOfRank = {}; // reading may fail on one rank only
   if (this->Scheme == LINEAR && this->WritesBezierCells())
   {
     options.ProjectToLimit = this->ProjectToLimit;
@@ -54,8 +80,8 @@ int vtkSurfaceSubdivision::RequestData(
   options.JoinSeams = this->JoinSeams;
   options.KeepsMerged = this->MergePoints && this->MergedValues == KEEP_VALUES;
   // Without rules for boundaries that angles decide, a level reads points of cells around only.
-  const bool isLocal =
-    !this->ModifiedBoundary && (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK);
+  const bool isLocal = !this->ModifiedBoundary &&
+    (this->Scheme == LOOP || this->Scheme == CATMULL_CLARK || this->Scheme == AUTOMATIC);
   return this->RunLevels(
     inputVector, outputVector, options, isLocal,
     [&](vtkPointSet* input, vtkPointSet* output)
@@ -64,6 +90,7 @@ int vtkSurfaceSubdivision::RequestData(
       {
         options.OutputPointsPrecision = DOUBLE_PRECISION;
       }
+      options.Scheme = static_cast<subdivision::SurfaceSchemeKind>(this->GetSchemeInUse());
       vtkDataArray* flatness = nullptr;
       const bool isRead =
         subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
@@ -84,5 +111,6 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scheme: " << this->Scheme << "\n";
+  os << indent << "SchemeInUse: " << this->GetSchemeInUse() << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";
 }

@@ -23,7 +23,9 @@
  * linear ones between two regular curves.
  *
  * @par Input and output
- * Polygons of any size, and strips, which become triangles in their place. Loop, ModifiedButterfly,
+ * Polygons of any size, and strips, which become triangles in their place. Of the solids of a grid
+ * the outside, after its polygons, with a warning: faces that no other solid and no polygon has;
+ * where blocks or ranks share the mesh solids are left out. Loop, ModifiedButterfly,
  * SqrtThree and Linear split other polygons into triangles first. A line cell
  * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
  * become lines, vertex cells stay. The output, a vtkPolyData unless OutputCells = BEZIER_CELLS, has
@@ -134,6 +136,8 @@
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUniformSubdivisionAlgorithm.h"
 
+#include <array> // for std::array
+
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSurfaceSubdivision : public vtkUniformSubdivisionAlgorithm
 {
 public:
@@ -154,16 +158,20 @@ public:
     MIDEDGE,
     FOUR_EIGHT,
     SQRT_THREE,
-    LINEAR
+    LINEAR,
+    AUTOMATIC
   };
   ///@{
   /**
-   * The scheme: LOOP (0, the default; triangles to 4), MODIFIED_BUTTERFLY (1; triangles to 4,
-   * interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN (3; dual), MIDEDGE
-   * (4; dual), FOUR_EIGHT (5; two steps split a quad into 4), SQRT_THREE (6; triangles to 3) or
-   * LINEAR (7; triangles to 4, not smoothed: points stay, new ones are midpoints).
+   * The scheme: AUTOMATIC (8, the default; CATMULL_CLARK where quads and larger polygons are more
+   * than the triangles, else LOOP; one scheme for all blocks, and for the ranks that share a mesh;
+   * of a mesh with solids alone their faces count), LOOP (0; triangles to 4), MODIFIED_BUTTERFLY
+   * (1; triangles to 4, interpolates the points), CATMULL_CLARK (2; polygons to quads), DOO_SABIN
+   * (3; dual), MIDEDGE (4; dual), FOUR_EIGHT (5; two steps split a quad into 4), SQRT_THREE (6;
+   * triangles to 3) or LINEAR (7; triangles to 4, not smoothed: points stay, new ones are
+   * midpoints).
    */
-  vtkSetClampMacro(Scheme, int, LOOP, LINEAR);
+  vtkSetClampMacro(Scheme, int, LOOP, AUTOMATIC);
   vtkGetMacro(Scheme, int);
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
   void SetSchemeToModifiedButterfly() { this->SetScheme(MODIFIED_BUTTERFLY); }
@@ -173,7 +181,14 @@ public:
   void SetSchemeToFourEight() { this->SetScheme(FOUR_EIGHT); }
   void SetSchemeToSqrtThree() { this->SetScheme(SQRT_THREE); }
   void SetSchemeToLinear() { this->SetScheme(LINEAR); }
+  void SetSchemeToAutomatic() { this->SetScheme(AUTOMATIC); }
   ///@}
+
+  /**
+   * The scheme itself: of AUTOMATIC what the last update took, LOOP or CATMULL_CLARK (before the
+   * first update LOOP).
+   */
+  int GetSchemeInUse() const { return this->Scheme == AUTOMATIC ? this->Automatic : this->Scheme; }
 
   ///@{
   /**
@@ -192,9 +207,9 @@ public:
 
   /**
    * Evaluates the limit at places of cells of the present input, a vtkPolyData, which is updated,
-   * by the present rules of Scheme = LOOP or CATMULL_CLARK; NumberOfLevels does not matter. Place i
-   * is in cell cells[i], at parameters[i], which has 3 components, of which a vertex reads none and
-   * a line one:
+   * by the present rules of Scheme = LOOP, CATMULL_CLARK or AUTOMATIC; NumberOfLevels does not
+   * matter. Place i is in cell cells[i], at parameters[i], which has 3 components, of which a
+   * vertex reads none and a line one:
    *  - a line: the second point has the weight u, the first 1 - u;
    *  - a triangle by LOOP: the second point has the weight u, the third v, the first 1 - u - v;
    *  - a quad by CATMULL_CLARK: u in [0, 1] goes from the first point to the second, v from the
@@ -242,20 +257,25 @@ protected:
   {
     return this->Scheme != DOO_SABIN && this->Scheme != MIDEDGE;
   }
+  void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
+  void Agree() override;
   bool HasSeams() const override
   {
     return this->HasInterfaces() && this->Scheme != FOUR_EIGHT && this->Scheme != SQRT_THREE;
   }
   bool JoinsSeams() const override { return this->JoinSeams; }
   const char* DescribeBezierNeeds() const override;
-  bool MakesQuads() const override { return this->Scheme == CATMULL_CLARK; }
+  bool MakesQuads() const override { return this->GetSchemeInUse() == CATMULL_CLARK; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
 
-  int Scheme = LOOP;
+  int Scheme = AUTOMATIC;
   bool JoinSeams = true;
 
 private:
+  std::array<double, 4> FacesOfRank = {}; ///< FaceCounts
+  int Automatic = LOOP;
+
   vtkSurfaceSubdivision(const vtkSurfaceSubdivision&) = delete;
   void operator=(const vtkSurfaceSubdivision&) = delete;
 };

@@ -158,8 +158,8 @@ class Cells(unittest.TestCase):
         np.testing.assert_array_equal(quads.points, expected.points)
         self.assertEqual(counts(subdivisionobjects.subdivide(CUBE, [[0, 1, 2, 4]], levels=1)), 8)
         solids = subdivisionobjects.subdivide(TET, CELL, levels=1)
-        with self.assertRaisesRegex(RuntimeError, "8 cell.s. are solids"), self.assertWarns(Warning):
-            subdivisionobjects.surface_subdivision(solids)
+        with self.assertWarnsRegex(Warning, "8 cell.s. are solids.* takes their outside, 16 face"):
+            self.assertEqual(counts(subdivisionobjects.surface_subdivision(solids, levels=1)), 64)
 
     def test_rows_that_may_be_many_cells(self):
         self.refuses(r"'tetra': rows\[:, :4\].*TetGen.*'tetra': rows\[:, 1:\].*'pyramid': rows", [[0, 1, 2, 3, 9]])
@@ -334,7 +334,6 @@ class Results(unittest.TestCase):
     def test_nothing_left_is_an_error(self):
         for text, call in (
                 ("coordinates are infinite or not a number", lambda: subdivisionobjects.subdivide(TET * np.nan, CELL)),
-                ("are solids", lambda: subdivisionobjects.surface_subdivision(TET, {"tetra": CELL})),
                 ("repeated point ids", lambda: subdivisionobjects.subdivide(TET, [[0, 1, 2, 2]])),
                 ("the background", lambda: subdivisionobjects.label_solid(np.zeros((3, 3, 3), int)))):
             with self.subTest(text), self.assertWarns(Warning):
@@ -362,7 +361,7 @@ class Results(unittest.TestCase):
                 subdivisionobjects.subdivide(TET, CELL, **more)
         with self.assertWarnsRegex(UserWarning, "cell 1, type 10, tetra. with a point"):
             subdivisionobjects.subdivide(np.vstack([TET, [[np.nan] * 3]]), [[0, 1, 2, 3], [1, 2, 3, 4]])
-        with self.assertRaisesRegex(RuntimeError, "rest_mesh is missing; .* cage_around, deformed_mesh the same"):
+        with self.assertRaisesRegex(RuntimeError, "deformed_mesh is missing; .* cage_around, deformed_mesh the same"):
             subdivisionobjects.deformation(TET)
         with self.assertRaisesRegex(ValueError, r"rest_mesh: tetra 0 has point ids \[0, 1, 2, 9\]"):
             subdivisionobjects.deformation(TET, rest_mesh=(TET, [[0, 1, 2, 9]]))

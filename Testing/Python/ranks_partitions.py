@@ -29,7 +29,7 @@ LOOP = subdivisionobjects.vtkSurfaceSubdivision.LOOP
 SCHEMES = range(LOOP, subdivisionobjects.vtkSurfaceSubdivision.SQRT_THREE + 1)
 SURFACE = [("vtkSurfaceSubdivision", {"Scheme": scheme, "NumberOfLevels": 2, "DetectFeatures": int(scheme == LOOP),
                                       "GenerateGlobalIds": 1})
-           for scheme in SCHEMES]
+           for scheme in (*SCHEMES, subdivisionobjects.vtkSurfaceSubdivision.AUTOMATIC)]
 RED_GREEN = [("vtkRedGreenRefinement", {"RefineByAttributeError": 0, "RefineByEdgeLength": 1, "MaximumEdgeLength": 0.4,
                                         "MaximumLevel": 3, "GenerateGlobalIds": 1})]
 LIMITS = [("vtkRedGreenRefinement", dict(RED_GREEN[0][1], Placement=1, VolumeScheme=scheme, MaximumLevel=2, **options))

@@ -226,8 +226,8 @@ class Program(unittest.TestCase):
                 ('Cell array "Nowhere" (--singular-array) is not there', ("--singular-array", "Nowhere")),
                 ("--preserve-interfaces needs a cell array of materials: set --material-array",
                  ("--preserve-interfaces",)),
-                ("Extract Surface of ParaView, or use multi-dimensional-subdivision", ("--filter", "surface")),
-                ("--rest-mesh is missing; the output is the input. --rest-mesh is a mesh of solid cells around the "
+                ("takes their outside, 4 face(s). Use multi-dimensional-subdivision", ("--filter", "surface")),
+                ("--deformed-mesh is missing; the output is the input. --rest-mesh is a mesh of solid cells around the "
                  "input, such as a cage of cage-around, --deformed-mesh the same", ("--filter", "deformation"))):
             with self.subTest(arguments):
                 told = run("thin.vtk", "told.vtu", *arguments).stderr

@@ -312,7 +312,7 @@ bool RestMesh::BuildSurface(
       return false;
     }
     std::vector<std::string> warnings;
-    mesh = MakeSurface(grid, false, warnings);
+    mesh = MakeSurface(grid, false, false, warnings);
     Tell(warnings, run);
   }
   SurfaceOptions surface;

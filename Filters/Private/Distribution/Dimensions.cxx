@@ -28,8 +28,9 @@ struct WrongCells
   vtkIdType First = 0;
 };
 
-/// The cells of a mesh that have one of the dimensions, and points which exist.
-std::vector<vtkIdType> FindCells(vtkPointSet* mesh, int dimensions, WrongCells& wrong)
+/// The cells of a mesh that have one of the dimensions, and points which exist. `found` gets the
+/// dimensions of all cells.
+std::vector<vtkIdType> FindCells(vtkPointSet* mesh, int dimensions, WrongCells& wrong, int& found)
 {
   const vtkIdType points = mesh->GetNumberOfPoints();
   std::vector<vtkIdType> scratch;
@@ -44,8 +45,9 @@ std::vector<vtkIdType> FindCells(vtkPointSet* mesh, int dimensions, WrongCells& 
     if (isWanted[type] == unknown)
     {
       const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-      isWanted[type] =
-        cell && type != VTK_EMPTY_CELL && (dimensions >> cell->GetCellDimension() & 1);
+      const int bit = cell && type != VTK_EMPTY_CELL ? 1 << cell->GetCellDimension() : 0;
+      isWanted[type] = (dimensions & bit) != 0;
+      found |= bit;
     }
     const CellIds ids = isWanted[type] ? reader.GetCell(c, scratch) : CellIds();
     const bool isWrong = std::any_of(
@@ -62,16 +64,31 @@ std::vector<vtkIdType> FindCells(vtkPointSet* mesh, int dimensions, WrongCells& 
   return cells;
 }
 
+std::string DescribeOthers(int found)
+{
+  std::string others;
+  for (int dimension = 0; dimension < 4; ++dimension)
+  {
+    const char* const names[4] = { "vertices", "lines", "surfaces", "solids" };
+    others +=
+      (found >> dimension & 1) ? (others.empty() ? "" : ", ") + std::string(names[dimension]) : "";
+  }
+  return "No cell has one of the dimensions that OutputDimensions asks for, so the output is "
+         "empty. There are " +
+    others + ": choose from these.";
 }
 
-vtkSmartPointer<vtkDataObject> TakeDimensions(
-  vtkDataObject* data, int dimensions, const std::function<void(const std::string&)>& warn)
+}
+
+vtkSmartPointer<vtkDataObject> TakeDimensions(vtkDataObject* data, int dimensions, bool isWhole,
+  const std::function<void(const std::string&)>& warn)
 {
   if (dimensions == AllDimensions)
   {
     return data;
   }
   WrongCells wrong;
+  int found = 0;
   const auto taken = ChangeMeshes(data,
     [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
     {
@@ -83,10 +100,14 @@ vtkSmartPointer<vtkDataObject> TakeDimensions(
         return object;
       }
       auto part = vtkSmartPointer<vtkPointSet>::Take(mesh->NewInstance());
-      TakeCells(mesh, FindCells(mesh, dimensions, wrong), {}, part);
+      TakeCells(mesh, FindCells(mesh, dimensions, wrong, found), {}, part);
       AddFieldData(mesh->GetFieldData(), false, part->GetFieldData());
       return part;
     });
+  if (isWhole && found != 0 && (found & dimensions) == 0)
+  {
+    warn(DescribeOthers(found));
+  }
   if (wrong.Count > 0)
   {
     warn(std::to_string(wrong.Count) +

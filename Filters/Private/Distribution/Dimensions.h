@@ -24,10 +24,11 @@ constexpr int AllDimensions = 15;
  * the points that these cells use, in the order of the input, with all point and cell arrays.
  * `data` is a vtkUnstructuredGrid, a vtkPolyData, or a composite data set of these. Field data are
  * shared, but for a stamp: a filter cannot go on with a part of the cells. With AllDimensions the
- * result is `data`. Else `warn` tells of cells with points that do not exist, which are left out.
+ * result is `data`. Else `warn` tells of cells with points that do not exist, which are left out,
+ * and, if `isWhole`, where cells have other dimensions only.
  */
-vtkSmartPointer<vtkDataObject> TakeDimensions(
-  vtkDataObject* data, int dimensions, const std::function<void(const std::string&)>& warn);
+vtkSmartPointer<vtkDataObject> TakeDimensions(vtkDataObject* data, int dimensions, bool isWhole,
+  const std::function<void(const std::string&)>& warn);
 
 }
 

@@ -6,11 +6,14 @@
 #ifndef SubdivisionObjects_CellFaces_h
 #define SubdivisionObjects_CellFaces_h
 
+#include "Core/Memory/Sorting.h"
 #include "Private/Reading/NonLinearCells.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/SolidCells.h"
 #include "Private/Reading/TrianglesNearQuads.h"
 
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace subdivision
@@ -117,6 +120,36 @@ private:
   NonLinearCells NonLinear;
   std::vector<vtkIdType> Scratch;
 };
+
+/// Equal for the same points in any order.
+inline std::uint64_t HashLoop(const vtkIdType* ids, vtkIdType size)
+{
+  std::uint64_t sum = static_cast<std::uint64_t>(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    std::uint64_t x = static_cast<std::uint64_t>(ids[i]) + 0x9E3779B97F4A7C15ull;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+    sum += x ^ (x >> 31);
+  }
+  return sum;
+}
+
+/// Sorts hashes, and keeps those that are there once.
+inline void KeepSingles(std::vector<std::uint64_t>& hashes)
+{
+  StableSort(hashes, std::less<>());
+  std::vector<std::uint64_t> singles;
+  for (const std::size_t i : InTurn(hashes.size()))
+  {
+    if ((i == 0 || hashes[i - 1] != hashes[i]) &&
+      (i + 1 == hashes.size() || hashes[i + 1] != hashes[i]))
+    {
+      singles.push_back(hashes[i]);
+    }
+  }
+  hashes.swap(singles);
+}
 
 }
 

@@ -37,20 +37,6 @@ Edge MakeEdge(vtkIdType a, vtkIdType b)
   return { std::min(a, b), std::max(a, b) };
 }
 
-/// Equal for the same points in any order.
-std::uint64_t HashLoop(const vtkIdType* ids, vtkIdType size)
-{
-  std::uint64_t sum = static_cast<std::uint64_t>(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    std::uint64_t x = static_cast<std::uint64_t>(ids[i]) + 0x9E3779B97F4A7C15ull;
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
-    sum += x ^ (x >> 31);
-  }
-  return sum;
-}
-
 /// A face of a solid that no other solid has.
 struct OpenFace
 {
@@ -186,16 +172,8 @@ std::vector<std::uint64_t> Closing::ListSingles(int dimension) const
         all.push_back(HashLoop(edge, 2));
       }
     });
-  StableSort(all, std::less<>());
-  std::vector<std::uint64_t> singles;
-  for (const std::size_t i : InTurn(all.size()))
-  {
-    if ((i == 0 || all[i - 1] != all[i]) && (i + 1 == all.size() || all[i + 1] != all[i]))
-    {
-      singles.push_back(all[i]);
-    }
-  }
-  return singles;
+  KeepSingles(all);
+  return all;
 }
 
 void Closing::FindOpen()

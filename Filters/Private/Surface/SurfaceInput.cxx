@@ -5,6 +5,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellChecks.h"
+#include "Private/Reading/CellFaces.h"
 #include "Private/Reading/NonLinearCells.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/TrianglesNearQuads.h"
@@ -19,7 +20,9 @@
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace subdivision
 {
@@ -97,6 +100,59 @@ vtkIdType SortCells(vtkUnstructuredGrid* grid, const CellReader& reader,
   return solids;
 }
 
+/// Calls visit(cell, loop, size, whether it is of a solid) for the faces of solids, and for
+/// polygons.
+template <typename Visit>
+void ForFaces(vtkUnstructuredGrid* grid, const CellReader& reader, const CheckedCells& checked,
+  const Visit& visit)
+{
+  CellFaces faces(grid, reader);
+  std::vector<vtkIdType> scratch;
+  for (const vtkIdType c : InTurn(reader.GetNumberOfCells()))
+  {
+    const int dimension =
+      TakesPart(checked.States[c]) ? GetDimensionOfType(reader.GetCellType(c)) : 0;
+    if (dimension >= 2)
+    {
+      faces.ForEach(c, reader.GetCell(c, scratch),
+        [&](const vtkIdType* loop, vtkIdType size) { visit(c, loop, size, dimension == 3); });
+    }
+  }
+}
+
+/// Adds the outside of solids. Returns the number of faces.
+vtkIdType AddOutside(
+  vtkUnstructuredGrid* grid, const CellReader& reader, const CheckedCells& checked, Lists& lists)
+{
+  std::vector<std::uint64_t> faces;
+  ForFaces(grid, reader, checked,
+    [&](vtkIdType, const vtkIdType* loop, vtkIdType size, bool isOfSolid)
+    { faces.insert(faces.end(), isOfSolid ? 1 : 2, HashLoop(loop, size)); });
+  KeepSingles(faces);
+  vtkIdType count = 0;
+  ForFaces(grid, reader, checked,
+    [&](vtkIdType c, const vtkIdType* loop, vtkIdType size, bool isOfSolid)
+    {
+      if (isOfSolid && std::binary_search(faces.begin(), faces.end(), HashLoop(loop, size)))
+      {
+        lists.Add(2, c, loop, size);
+        ++count;
+      }
+    });
+  return count;
+}
+
+std::string DescribeSolids(vtkIdType solids, vtkIdType first, bool takesOutside, vtkIdType faces)
+{
+  return std::to_string(solids) + " cell(s) are solids, the first is cell " +
+    std::to_string(first) + ": this filter is for surfaces and " +
+    (takesOutside
+        ? "takes their outside, " + std::to_string(faces) +
+          " face(s). Use vtkMultiDimensionalSubdivision to subdivide solids."
+        : "leaves them out, because blocks or ranks share them. Extract their surface first by "
+          "vtkDataSetSurfaceFilter, or use vtkMultiDimensionalSubdivision.");
+}
+
 std::vector<std::string> DescribeUnused(const CellReader& reader, CheckedCells checked)
 {
   for (CellState& state : InTurn(checked.States))
@@ -109,8 +165,8 @@ std::vector<std::string> DescribeUnused(const CellReader& reader, CheckedCells c
 
 }
 
-vtkSmartPointer<vtkPolyData> MakeSurface(
-  vtkUnstructuredGrid* grid, bool originalIds, std::vector<std::string>& warnings)
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkUnstructuredGrid* grid, bool takesOutside,
+  bool originalIds, std::vector<std::string>& warnings)
 {
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(grid->GetPoints());
@@ -131,10 +187,8 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   const vtkIdType solids = SortCells(grid, reader, checked, lists, first);
   if (solids > 0)
   {
-    warnings.push_back(std::to_string(solids) + " cell(s) are solids, the first is cell " +
-      std::to_string(first) +
-      ": this filter is for surfaces and leaves them out. Extract their surface first by "
-      "vtkDataSetSurfaceFilter, or use vtkMultiDimensionalSubdivision.");
+    const vtkIdType faces = takesOutside ? AddOutside(grid, reader, checked, lists) : 0;
+    warnings.push_back(DescribeSolids(solids, first, takesOutside, faces));
   }
   surface->SetVerts(lists.Cells[0]);
   surface->SetLines(lists.Cells[1]);

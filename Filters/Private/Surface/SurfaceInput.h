@@ -20,14 +20,15 @@ namespace subdivision
 {
 
 /**
- * The cells of a grid without its solids, which a warning counts: first the vertices, then lines,
- * then polygons, then strips. Non-linear cells are cut (NonLinearCells.h). Cells that cannot be
- * used are left out with a warning, hidden ones without. Points and their arrays are shared, cell
- * data follow their cells. With `originalIds` the cell array SourceCellsName has the
- * cells of the grid.
+ * The cells of a grid: first the vertices, then lines, then polygons, then strips. Of solids it has
+ * the outside, after all polygons: the faces that no other solid and no polygon has. A warning
+ * counts them. Without `takesOutside` solids are left out. Non-linear cells are cut
+ * (NonLinearCells.h). Cells that cannot be used are left out with a warning, hidden ones without.
+ * Points and their arrays are shared, cell data follow their cells. With `originalIds` the cell
+ * array SourceCellsName has the cells of the grid.
  */
-vtkSmartPointer<vtkPolyData> MakeSurface(
-  vtkUnstructuredGrid* grid, bool originalIds, std::vector<std::string>& warnings);
+vtkSmartPointer<vtkPolyData> MakeSurface(vtkUnstructuredGrid* grid, bool takesOutside,
+  bool originalIds, std::vector<std::string>& warnings);
 
 /// The first cell of a grid that is a usable solid; -1: it has none.
 vtkIdType FindFirstSolid(vtkUnstructuredGrid* grid);

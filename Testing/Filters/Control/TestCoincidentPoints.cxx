@@ -25,6 +25,7 @@ std::vector<std::string> Tell(
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(input);
+  filter->JoinSidesOff();
   if (configure)
   {
     configure(filter);

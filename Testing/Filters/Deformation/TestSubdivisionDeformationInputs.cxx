@@ -8,6 +8,8 @@
 #include "Private/Deformation/EmbeddedPoints.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
+#include "vtkSubdivisionCageSource.h"
+
 using namespace deformation_tools;
 
 namespace
@@ -178,6 +180,50 @@ TEST(SubdivisionDeformationInputs, MissingControlMesh)
   filter->SetRestMeshData(MakeKuhnBox(1));
   filter->Update();
   EXPECT_FALSE(heard->Errors.empty());
+}
+
+TEST(SubdivisionDeformationInputs, WithoutARestMeshItIsTheCageAround)
+{
+  const Grid cloud = MakeCloud(500, { 3, 1, 0 }, { 5, 2, 9 }, 7);
+  for (const double x : { 3., 5. }) // corners of its box
+  {
+    cloud->GetPoints()->InsertNextPoint(x, 1, 0);
+    cloud->GetPoints()->InsertNextPoint(x, 2, 9);
+  }
+  const auto move = [](const Point& p) -> Point
+  { return { p[0] + 0.5 * p[2], 2 * p[1], p[2] - 0.25 * p[0] + 1 }; };
+  for (const bool isDefault : { true, false })
+  {
+    vtkNew<vtkSubdivisionCageSource> source;
+    source->SetInputDataObject(0, cloud);
+    isDefault ? void() : source->SetNumberOfCells(2, 3, 4);
+    source->Update();
+    const Grid moved = DeepCopy(source->GetOutput());
+    for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+    {
+      moved->GetPoints()->SetPoint(i, move(GetPoint(moved, i)).data());
+    }
+    vtkNew<vtkSubdivisionDeformation> filter;
+    filter->SetDeformedMeshData(moved);
+    UpdateInSilence(filter, cloud);
+    EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0);
+    auto* output = vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
+    EXPECT_LT(GetLargestError(output, cloud, move), 1e-12);
+  }
+  vtkNew<vtkSubdivisionDeformation> filter;
+  vtkNew<Messages> heard;
+  heard->Watch(filter);
+  filter->SetInputData(cloud);
+  for (const Grid& other : { MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+                               { { VTK_TETRA, { 0, 1, 2, 3 } } }),
+         MakeCloud(9, { 0, 0, 0 }, { 1, 1, 1 }, 1) })
+  {
+    heard->Errors.clear();
+    filter->SetDeformedMeshData(other);
+    filter->Update();
+    ASSERT_EQ(heard->Errors.size(), 1u);
+    EXPECT_NE(heard->Errors[0].find("DeformedMesh is no cage around"), std::string::npos);
+  }
 }
 
 TEST(SubdivisionDeformationInputs, NotFinite)

@@ -152,14 +152,18 @@ TEST(RedGreenErrors, ArraysThatCannotBeUsed)
   }
 }
 
-TEST(RedGreenErrors, NothingToRefineByIsSaid)
+TEST(RedGreenErrors, DefaultRefinesByGeometryWhereThereIsNoArray)
 {
   const Grid box = MakeBox(1);
-  vtkNew<Messages> messages;
-  const Grid output =
-    Refine(box, [](Filter* filter) { filter->RefineByAttributeErrorOn(); }, messages);
-  EXPECT_EQ(messages->CountWarnings("nothing to refine by"), 1);
-  EXPECT_EQ(GetCells(output), GetCells(box));
+  const Grid output = Refine(box, [](Filter* filter) { filter->RefineByAttributeErrorOn(); });
+  const Grid named = Refine(box,
+    [](Filter* filter)
+    {
+      filter->RefineByAttributeErrorOff();
+      filter->RefineByGeometricErrorOn();
+    });
+  EXPECT_GT(output->GetNumberOfCells(), box->GetNumberOfCells());
+  EXPECT_EQ(Compare(output, named), "");
 }
 
 // ------------------------------------------------------------------------------------------------

@@ -109,6 +109,30 @@ TEST(OutputDimensions, AreAnyOfZeroToThree)
   }
 }
 
+TEST(OutputDimensions, NothingToExtractIsTold)
+{
+  const std::string said =
+    "No cell has one of the dimensions that OutputDimensions asks for, so the "
+    "output is empty. There are lines, surfaces: choose from these.";
+  const Grid shell = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_LINE, { 0, 3 } } });
+  for (const bool inside : { false, true })
+  {
+    vtkNew<vtkExtractDimensions> extract;
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetOutputDimensions(8);
+    vtkNew<Messages> messages;
+    UpdateInSilence(inside ? static_cast<vtkAlgorithm*>(filter) : extract, shell, messages);
+    EXPECT_EQ(messages->CountWarnings(said), 1);
+    EXPECT_EQ(messages->Warnings.size(), 1u);
+  }
+  vtkNew<vtkExtractDimensions> lines;
+  lines->SetOutputDimensions(vtkExtractDimensions::LINES);
+  UpdateInSilence(lines, shell);
+  vtkNew<vtkExtractDimensions> empty;
+  UpdateInSilence(empty, Grid::New()); // nothing could be chosen
+}
+
 TEST(OutputDimensions, AreNamedByNumbersToo)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
