@@ -79,7 +79,7 @@ public:
    * solids: BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids;
    * boundaries and creases are the same) or LINEAR (2; the mesh itself). Or the limit of the
    * polygons and lines by vtkSurfaceSubdivision, which measures angles of corners and joins seams:
-   * LOOP (3) or CATMULL_CLARK (4); a warning says that solids are left out.
+   * LOOP (3) or CATMULL_CLARK (4); of solids the outside, with a warning.
    */
   vtkSetClampMacro(Scheme, int, BOX_SPLINE, CATMULL_CLARK);
   vtkGetMacro(Scheme, int);

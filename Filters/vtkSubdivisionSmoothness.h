@@ -42,10 +42,10 @@
  * @par Inputs
  * Port 0: one data set that is no collection of blocks. Ports 1 and 2: marks, see
  * vtkMarkedSubdivisionAlgorithm. All options of vtkSubdivisionAlgorithm that choose rules count;
- * surface schemes ignore the options that vtkSurfaceSubdivision ignores, and leave solids out with
- * a warning. With BOX_SPLINE and TET_OCT corners have the plain rules here, whatever their angle. A
- * crease or surface that is sharp to a finite degree has the rules that it has when it has become
- * smooth. Output of a subdivision filter has the rules of its next level.
+ * surface schemes ignore the options that vtkSurfaceSubdivision ignores, and take the outside of
+ * solids, with a warning. With BOX_SPLINE and TET_OCT corners have the plain rules here, whatever
+ * their angle. A crease or surface that is sharp to a finite degree has the rules that it has when
+ * it has become smooth. Output of a subdivision filter has the rules of its next level.
  *
  * @par Output
  * A vtkUnstructuredGrid. Points: all points of the input with their ids and arrays, then centres of
