@@ -161,11 +161,11 @@ SparseRows<Id> BuildRows(const LocalLimit<Id>& limit)
   for (int level = 0; level < limit.GetNumberOfLevels(); ++level)
   {
     const SparseRows<Id>& own = limit.GetRowsOfLevel(level);
-    if (!limit.IsFirst(level))
+    if (level > 0)
     {
       product = Multiply(own, *before);
     }
-    before = limit.IsFirst(level) ? &own : &product;
+    before = level == 0 ? &own : &product;
     parts.push_back(Multiply(limit.GetLimitsOnLevel(level), *before));
   }
   SparseRows<Id> rows;

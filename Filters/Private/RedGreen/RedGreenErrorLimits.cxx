@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The limits from which RedGreenErrors measures: those on curves and surfaces by polynomials over
-// control simplices, or by values on a lattice where it is no polynomial, and all others by
-// LocalLimit.
+// control simplices, all others by values on a lattice.
 #include "Private/RedGreen/RedGreenErrors.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Solids/Location/CurveOrder.h"
+#include "Core/Memory/UnevenRanges.h"
+#include "Core/Solids/Limits/LatticePlaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +14,80 @@
 
 namespace subdivision
 {
+namespace
+{
+
+/// Some vertices of a state, those from which they come, and midpoints behind them, with numbers of
+/// their own; those of the control mesh keep theirs.
+template <typename Id>
+class NeededVertices
+{
+public:
+  using Midpoints = std::vector<std::array<Id, 2>>;
+
+  /// `more`: midpoints of vertices of the state, or of earlier ones of these, which have the
+  /// numbers behind those of the state. `wanted` has vertices of both kinds.
+  NeededVertices(const RedGreen<Id>& state, const Midpoints& more,
+    const std::vector<std::pair<Id, double*>>& wanted)
+    : Numbers(state.GetNumberOfVertices(), Id(-1))
+  {
+    const auto need = [this](Id vertex)
+    { vertex < static_cast<Id>(this->Numbers.size()) ? void(this->Numbers[vertex] = 0) : void(); };
+    for (const auto& ends : InTurn(more))
+    {
+      need(ends[0]);
+      need(ends[1]);
+    }
+    for (const auto& [vertex, to] : InTurn(wanted))
+    {
+      need(vertex);
+    }
+    const Id given = state.GetNumberOfInputVertices();
+    const Id last = state.GetNumberOfVertices() - 1;
+    ForEachInTurn(last + 1 - given,
+      [&](vtkIdType i)
+      {
+        const Id vertex = last - static_cast<Id>(i);
+        for (const Id end : state.GetEnds(vertex))
+        {
+          this->Numbers[vertex] == 0 ? need(end) : void();
+        }
+      });
+    for (const Id vertex : InTurn(static_cast<Id>(this->Numbers.size())))
+    {
+      if (vertex < given)
+      {
+        this->Numbers[vertex] = vertex;
+      }
+      else if (this->Numbers[vertex] == 0)
+      {
+        this->Numbers[vertex] = given + this->Add(state.GetEnds(vertex));
+      }
+    }
+    this->First = given + static_cast<Id>(this->Found.size());
+    std::for_each(more.begin(), more.end(), [this](const auto& ends) { this->Add(ends); });
+  }
+
+  const Midpoints& GetMidpoints() const { return this->Found; }
+  Id GetNumber(Id vertex) const
+  {
+    const auto size = static_cast<Id>(this->Numbers.size());
+    return vertex < size ? this->Numbers[vertex] : this->First + vertex - size;
+  }
+
+private:
+  Id Add(const std::array<Id, 2>& ends)
+  {
+    this->Found.push_back({ { this->GetNumber(ends[0]), this->GetNumber(ends[1]) } });
+    return static_cast<Id>(this->Found.size()) - 1;
+  }
+
+  Buffer<Id> Numbers; ///< -1: not needed
+  Midpoints Found;
+  Id First = 0; ///< of the midpoints behind those of the state
+};
+
+}
 
 /// The coordinates and the attribute of the control vertices, as far as they are wanted, side by
 /// side.
@@ -47,43 +121,6 @@ Buffer<double> RedGreenErrors<Id>::GetControlValues() const
   return values;
 }
 
-/// Numbers the vertices that are needed (0 in `needed`, -1 for others) and those from which they
-/// come. Vertices of the input keep their numbers.
-template <typename Id>
-typename RedGreenErrors<Id>::Numbering RedGreenErrors<Id>::NumberVertices(
-  const RedGreen<Id>& state, Buffer<Id>&& needed) const
-{
-  const Id given = state.GetNumberOfInputVertices();
-  Numbering numbering{ std::move(needed), {} };
-  Buffer<Id>& numbers = numbering.Numbers;
-  const Id last = state.GetNumberOfVertices() - 1;
-  ForEachInTurn(last + 1 - given,
-    [&](vtkIdType i)
-    {
-      const Id v = last - static_cast<Id>(i);
-      if (numbers[v] == 0)
-      {
-        const auto ends = state.GetEnds(v);
-        numbers[ends[0]] = 0;
-        numbers[ends[1]] = 0;
-      }
-    });
-  for (const Id v : InTurn(static_cast<Id>(numbers.size())))
-  {
-    if (v < given)
-    {
-      numbers[v] = v;
-    }
-    else if (numbers[v] == 0)
-    {
-      numbers[v] = static_cast<Id>(given + numbering.Midpoints.size());
-      const auto ends = state.GetEnds(v);
-      numbering.Midpoints.push_back({ { numbers[ends[0]], numbers[ends[1]] } });
-    }
-  }
-  return numbering;
-}
-
 template <typename Id>
 bool RedGreenErrors<Id>::IsKnown(const Buffer<double>& values, vtkIdType place) const
 {
@@ -98,17 +135,6 @@ bool RedGreenErrors<Id>::IsUnknown(Id site, int place) const
 {
   return (this->Sites[site].Used & 1 << place) != 0 &&
     !this->IsKnown(this->AtSites, PlacesOfSite * vtkIdType(site) + place);
-}
-
-template <typename Id>
-bool RedGreenErrors<Id>::IsKnown(Id site) const
-{
-  bool isKnown = true;
-  for (int place = 0; place < PlacesOfSite; ++place)
-  {
-    isKnown = isKnown && !this->IsUnknown(site, place);
-  }
-  return isKnown;
 }
 
 template <typename Id>
@@ -179,62 +205,18 @@ void RedGreenErrors<Id>::FindLimitsOnCurved(const Buffer<double>& control)
           for (vtkIdType i = begin; i < end; ++i)
           {
             const Row<Id> items = on[static_cast<Id>(i)];
-            if (items.size() > 0)
+            const PatchSimplex<Id>& simplex = this->Curved[i];
+            if (items.size() > 0 && tree.Start(reader, simplex, control.data()))
             {
-              const PatchSimplex<Id>& simplex = this->Curved[i];
-              const bool hasTree = tree.Start(reader, simplex, control.data());
-              LatticeValues<Id>& values = this->GetLatticeOfThread(level);
               for (const Id item : items)
               {
-                this->ForPlacesOf(item, simplex,
-                  [&](const std::array<double, 3>& at, double* limit)
-                  {
-                    hasTree ? tree.Find(at, limit) : void();
-                    std::isnan(*limit) ? FindLimitOnLattice(simplex, at, level.Complex,
-                                           control.data(), values, limit)
-                                       : void();
-                  });
+                this->ForPlacesOf(
+                  item, simplex, [&tree](const auto& at, double* limit) { tree.Find(at, limit); });
               }
             }
           }
         });
     });
-}
-
-template <typename Id>
-template <typename LevelType>
-LatticeValues<Id>& RedGreenErrors<Id>::GetLatticeOfThread(const LevelType& level)
-{
-  std::shared_ptr<LatticeValues<Id>>& values = this->OnLattice.Local();
-  if (!values)
-  {
-    values = std::make_shared<LatticeValues<Id>>(level, this->Components);
-  }
-  constexpr std::size_t ofNames = 8; // beside the values of a vertex
-  if (values->GetSize() * (static_cast<std::size_t>(this->Components) + ofNames) > MostOnLattice)
-  {
-    values->Clear();
-  }
-  return *values;
-}
-
-/// Finds the limit at a place of a simplex, whose corners are in ascending order.
-template <typename Id>
-void RedGreenErrors<Id>::FindLimitOnLattice(const PatchSimplex<Id>& simplex,
-  const std::array<double, 3>& at, const SimplicialComplex<Id>& complex, const double* control,
-  LatticeValues<Id>& values, double* limit)
-{
-  const int dimension = simplex.Corners[1] < 0 ? 0 : simplex.Corners[2] < 0 ? 1 : 2;
-  const Id* corners = dimension == 0 ? simplex.Corners.data()
-    : dimension == 1                 ? complex.EdgeVertices.data() + 2 * vtkIdType(simplex.Number)
-                                     : complex.FaceVertices.data() + 3 * vtkIdType(simplex.Number);
-  std::array<double, 3> ordered{};
-  for (int k = 0; k <= dimension; ++k)
-  {
-    const Id* sorted = std::find(simplex.Corners.begin(), simplex.Corners.end(), corners[k]);
-    ordered[k] = at[sorted - simplex.Corners.begin()];
-  }
-  values.FindLimit(dimension, simplex.Number, ordered, control, limit);
 }
 
 /// The number of the control simplex on which a corner or, by the numbers that follow, a site lies;
@@ -291,155 +273,115 @@ void RedGreenErrors<Id>::ForPlacesOf(
   }
 }
 
-/// The vertex in the middle of an edge between two vertices of a numbering.
+/// Adds the vertex at a place of a site, and vertices between; `vertices`: of the state.
 template <typename Id>
-Id RedGreenErrors<Id>::GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const
+Id RedGreenErrors<Id>::AddMidpointAt(const Site& site, int place, Id vertices, Midpoints& midpoints)
 {
-  vtkIdType given = 0;
-  this->Limit.WithControl([&](const auto& level) { given = level.Complex.NumberOfVertices; });
-  const auto next = static_cast<Id>(given + numbering.Midpoints.size());
-  const Id middle = middles.FindOrAdd(a, b, next);
-  if (middle == next)
+  const auto add = [&](Id a, Id b)
   {
-    numbering.Midpoints.push_back({ { a, b } });
+    midpoints.push_back({ { a, b } });
+    return vertices + static_cast<Id>(midpoints.size()) - 1;
+  };
+  const auto& at = site.Corners;
+  if (site.GetSize() == 2)
+  {
+    const Id middle = add(at[0], at[1]);
+    return place == 1 ? middle : add(middle, at[place / 2]);
   }
-  return middle;
+  const bool isTet = site.GetSize() == 4;
+  const Id first = isTet ? add(at[0], at[1]) : add(at[place], at[(place + 1) % 3]);
+  return add(first, isTet ? add(at[2], at[3]) : add(at[place], at[(place + 2) % 3]));
 }
 
-/// The corners and sites of which some limit is not known yet. Neighbours in this list are near
-/// each other, so that a part of it depends on a small part of the mesh.
+/// The vertices of which the limit is not known yet, and where it belongs; those at places of sites
+/// are added to the midpoints.
 template <typename Id>
-std::vector<typename RedGreenErrors<Id>::Unknown> RedGreenErrors<Id>::FindUnknown() const
+std::vector<std::pair<Id, double*>> RedGreenErrors<Id>::FindUnknown(
+  Id vertices, Midpoints& midpoints)
 {
-  std::vector<Unknown> unknown;
-  for (const Id i : InTurn(static_cast<Id>(this->Corners.size())))
+  std::vector<std::pair<Id, double*>> unknown;
+  const vtkIdType size = this->Components;
+  for (const std::size_t i : InTurn(this->Corners.size()))
   {
-    if (!this->IsKnown(this->AtVertices, i))
+    const auto corner = static_cast<vtkIdType>(i);
+    if (!this->IsKnown(this->AtVertices, corner))
     {
-      unknown.push_back({ i, true });
+      unknown.emplace_back(this->Corners[i], this->AtVertices.data() + size * corner);
     }
   }
   for (const Id i : InTurn(static_cast<Id>(this->Sites.size())))
   {
-    if (!this->IsKnown(i))
-    {
-      unknown.push_back({ i, false });
-    }
-  }
-  const ContinuedArray& points = this->Criteria.GetCoordinates();
-  const auto getPoint = [&](const Unknown& of)
-  {
-    const Id vertex = of.IsCorner ? this->Corners[of.Number] : this->Sites[of.Number].Corners[0];
-    return points.Get(this->Carriers[vertex][0]);
-  };
-  Box box;
-  for (const Unknown& of : InTurn(unknown))
-  {
-    box.Add(getPoint(of));
-  }
-  const Buffer<vtkIdType> order = SortAlongCurve(static_cast<vtkIdType>(unknown.size()), box,
-    [&](vtkIdType i, double* x) { std::copy_n(getPoint(unknown[i]), 3, x); });
-  std::vector<Unknown> sorted(unknown.size());
-  ForEach(order.size(), [&](vtkIdType i) { sorted[i] = unknown[order[i]]; });
-  return sorted;
-}
-
-/// Finds all limits that are not known yet, a batch at a time: rows to the places of an edge take
-/// some 15 KB.
-template <typename Id>
-void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
-{
-  const std::vector<Unknown> unknown = this->FindUnknown();
-  const std::size_t most = std::max(LimitBatches::Least, unknown.size() / LimitBatches::Most + 1);
-  for (std::size_t begin = 0; begin < unknown.size(); begin += most)
-  {
-    const Unknown* first = unknown.data() + begin;
-    this->FindLimitsOf({ first, first + std::min(most, unknown.size() - begin) }, state, control);
-  }
-}
-
-/// The vertex at a place of a site whose corners have the numbers `at`.
-template <typename Id>
-Id RedGreenErrors<Id>::GetVertexAt(const Site& site, int place, const std::array<Id, 4>& at,
-  Numbering& numbering, PairTable<Id>& middles) const
-{
-  const auto getMiddle = [&](Id a, Id b) { return this->GetMiddle(a, b, numbering, middles); };
-  if (site.GetSize() == 2)
-  {
-    const Id middle = getMiddle(at[0], at[1]);
-    return place == 1 ? middle : getMiddle(middle, at[place / 2]);
-  }
-  if (site.GetSize() == 3)
-  {
-    const Id first = getMiddle(at[place], at[(place + 1) % 3]);
-    return getMiddle(first, getMiddle(at[place], at[(place + 2) % 3]));
-  }
-  const Id first = getMiddle(at[0], at[1]);
-  return getMiddle(first, getMiddle(at[2], at[3]));
-}
-
-template <typename Id>
-void RedGreenErrors<Id>::FindLimitsOf(
-  const Row<Unknown>& batch, const RedGreen<Id>& state, const Buffer<double>& control)
-{
-  Buffer<Id> needed(state.GetNumberOfVertices(), Id(-1));
-  bool isCurved = true;
-  for (const Unknown& of : InTurn(batch))
-  {
-    if (of.IsCorner)
-    {
-      needed[this->Corners[of.Number]] = 0;
-      isCurved = isCurved && this->IsOnCurve(this->Corners[of.Number]);
-      continue;
-    }
-    const Site& site = this->Sites[of.Number];
-    isCurved = isCurved && site.Curved >= 0;
-    for (int k = 0; k < site.GetSize(); ++k)
-    {
-      needed[site.Corners[k]] = 0;
-    }
-  }
-  Numbering numbering = this->NumberVertices(state, std::move(needed));
-  PairTable<Id> middles;
-  std::vector<std::pair<Id, double*>> found; // vertices, and where their limits belong
-  const vtkIdType size = this->Components;
-  for (const Unknown& of : InTurn(batch))
-  {
-    if (of.IsCorner)
-    {
-      found.emplace_back(
-        numbering.Numbers[this->Corners[of.Number]], this->AtVertices.data() + size * of.Number);
-      continue;
-    }
-    const Site& site = this->Sites[of.Number];
-    std::array<Id, 4> at{};
-    for (int k = 0; k < site.GetSize(); ++k)
-    {
-      at[k] = numbering.Numbers[site.Corners[k]];
-    }
     for (int place = 0; place < PlacesOfSite; ++place)
     {
-      if (this->IsUnknown(of.Number, place))
+      if (this->IsUnknown(i, place))
       {
-        found.emplace_back(this->GetVertexAt(site, place, at, numbering, middles),
-          this->AtSites.data() + size * (PlacesOfSite * vtkIdType(of.Number) + place));
+        unknown.emplace_back(AddMidpointAt(this->Sites[i], place, vertices, midpoints),
+          this->AtSites.data() + size * (PlacesOfSite * vtkIdType(i) + place));
       }
     }
   }
-  Buffer<unsigned char> wanted(
-    state.GetNumberOfInputVertices() + static_cast<vtkIdType>(numbering.Midpoints.size()), 0);
-  for (const auto& [vertex, to] : found)
+  return unknown;
+}
+
+template <typename Id>
+template <typename LevelType>
+typename RedGreenErrors<Id>::template LevelLimits<LevelType>& RedGreenErrors<Id>::GetLimitsOf(
+  const LevelType& level)
+{
+  auto& limits = std::get<std::unique_ptr<LevelLimits<LevelType>>>(this->OnLattice);
+  if (!limits)
   {
-    wanted[vertex] = 1;
+    limits.reset(new LevelLimits<LevelType>{ { level, this->Limit.GetCreases() }, {} });
   }
-  const LocalLimit<Id> limit =
-    this->Limit.MakeOperator(numbering.Midpoints, wanted, nullptr, isCurved && !this->OfAttribute);
-  Buffer<double> limits(limit.GetNumberOfRows() * size);
-  limit.Apply(control.data(), limits.data(), this->Components);
-  for (const auto& [vertex, to] : found)
+  return *limits;
+}
+
+template <typename Id>
+template <typename LevelType>
+LatticeValues<LevelType>& RedGreenErrors<Id>::GetValuesOfThread(LevelLimits<LevelType>& limits)
+{
+  std::shared_ptr<LatticeValues<LevelType>>& values = limits.OfThreads.Local();
+  if (!values)
   {
-    std::copy_n(limits.data() + size * vertex, size, to);
+    values = std::make_shared<LatticeValues<LevelType>>(limits.Lattices, this->Components);
   }
+  constexpr std::size_t ofNames = 8; // beside the values of a vertex
+  if (values->GetSize() * (static_cast<std::size_t>(this->Components) + ofNames) > MostOnLattice)
+  {
+    values->Clear();
+  }
+  return *values;
+}
+
+/// Finds all limits that are not known yet.
+template <typename Id>
+void RedGreenErrors<Id>::FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control)
+{
+  Midpoints midpoints;
+  const std::vector<std::pair<Id, double*>> unknown =
+    this->FindUnknown(state.GetNumberOfVertices(), midpoints);
+  if (unknown.empty())
+  {
+    return;
+  }
+  const NeededVertices<Id> needed(state, midpoints, unknown);
+  this->Limit.WithControl(
+    [&](const auto& level)
+    {
+      LatticePlaces<Id> places(level);
+      places.Find(needed.GetMidpoints()); // all lie in cells
+      auto& limits = this->GetLimitsOf(level);
+      ForUnevenRanges(static_cast<vtkIdType>(unknown.size()),
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+          {
+            const Id vertex = needed.GetNumber(unknown[i].first);
+            this->GetValuesOfThread(limits).FindLimit(
+              places.GetVertex(vertex), places.GetLevel(vertex), control.data(), unknown[i].second);
+          }
+        });
+    });
 }
 
 template void RedGreenErrors<int>::FindLimits(const RedGreen<int>&);

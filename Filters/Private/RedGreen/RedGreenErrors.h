@@ -20,21 +20,15 @@
 #include <array>
 #include <deque>
 #include <memory>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace subdivision
 {
 
-/// How many limits are found at a time, and the bytes that they take then.
-struct LimitBatches
-{
-  static inline std::size_t Least = 8192; ///< corners and sites; tests change it
-  /// To find the part of the mesh that a batch depends on takes a look at all of it.
-  static constexpr std::size_t Most = 128;
-  /// For each candidate that is a tetrahedron: its edges with their places, and the rows of a
-  /// batch.
-  static constexpr double BytesOfTet = 1000.;
-};
+/// What the places of a candidate that is a tetrahedron take: its edges with their places.
+constexpr double BytesOfErrors = 1000.;
 
 template <typename Id>
 class RedGreenErrors
@@ -109,19 +103,14 @@ private:
     Id Simplex;                    ///< its number; -1: the vertex is inside a solid
     std::array<double, 3> Weights; ///< of the corners
   };
-  /// Some vertices of the state and the vertices from which they come, numbered as LocalLimit takes
-  /// them.
-  struct Numbering
+  /// The ends of vertices at places of sites, which have numbers behind those of the state.
+  using Midpoints = std::vector<std::array<Id, 2>>;
+  /// The limits over a level, of each thread, from round to round.
+  template <typename LevelType>
+  struct LevelLimits
   {
-    Buffer<Id> Numbers; ///< -1: not needed
-    std::vector<std::array<Id, 2>> Midpoints;
-  };
-
-  /// A corner of samples, or a site, by its number.
-  struct Unknown
-  {
-    Id Number;
-    bool IsCorner;
+    LevelLattices<LevelType> Lattices;
+    vtkSMPThreadLocal<std::shared_ptr<LatticeValues<LevelType>>> OfThreads;
   };
 
   void FindCurved(const SimplicialComplex<Id>& complex, const Strata<Id>& strata);
@@ -133,8 +122,6 @@ private:
       ? this->FindNumber(Unite(this->Carriers[a], this->Carriers[b]))
       : Id(-1);
   }
-  /// Whether a vertex is one of the control mesh or lies on a curve or surface.
-  bool IsOnCurve(Id vertex) const { return this->Places[vertex].Simplex >= 0; }
   std::array<double, 3> GetWeights(Id vertex, const PatchSimplex<Id>& simplex) const;
   static Carrier Unite(const Carrier& a, const Carrier& b);
 
@@ -150,26 +137,19 @@ private:
 
   void FindLimits(const RedGreen<Id>& state);
   void FindLimitsOnCurved(const Buffer<double>& control);
-  template <typename LevelType>
-  LatticeValues<Id>& GetLatticeOfThread(const LevelType& level);
-  static void FindLimitOnLattice(const PatchSimplex<Id>& simplex, const std::array<double, 3>& at,
-    const SimplicialComplex<Id>& complex, const double* control, LatticeValues<Id>& values,
-    double* limit);
   Id GetSimplexOf(vtkIdType item) const;
   template <typename Act>
   void ForPlacesOf(vtkIdType item, const PatchSimplex<Id>& simplex, const Act& act);
   void FindOtherLimits(const RedGreen<Id>& state, const Buffer<double>& control);
-  std::vector<Unknown> FindUnknown() const;
-  void FindLimitsOf(
-    const Row<Unknown>& batch, const RedGreen<Id>& state, const Buffer<double>& control);
-  Id GetVertexAt(const Site& site, int place, const std::array<Id, 4>& at, Numbering& numbering,
-    PairTable<Id>& middles) const;
-  Numbering NumberVertices(const RedGreen<Id>& state, Buffer<Id>&& needed) const;
-  Id GetMiddle(Id a, Id b, Numbering& numbering, PairTable<Id>& middles) const;
+  std::vector<std::pair<Id, double*>> FindUnknown(Id vertices, Midpoints& midpoints);
+  static Id AddMidpointAt(const Site& site, int place, Id vertices, Midpoints& midpoints);
+  template <typename LevelType>
+  LevelLimits<LevelType>& GetLimitsOf(const LevelType& level);
+  template <typename LevelType>
+  LatticeValues<LevelType>& GetValuesOfThread(LevelLimits<LevelType>& limits);
   Buffer<double> GetControlValues() const;
   bool IsKnown(const Buffer<double>& values, vtkIdType place) const;
   bool IsUnknown(Id site, int place) const;
-  bool IsKnown(Id site) const;
   const double* AtCorner(Id vertex) const
   {
     return this->AtVertices.data() + this->Components * vtkIdType(this->NumberOfCorner[vertex]);
@@ -190,7 +170,8 @@ private:
   std::vector<PatchSimplex<Id>> Curved;
   Buffer<vtkIdType> FirstCurved; ///< of each control vertex, in Curved
   KnownPolynomials Polynomials;
-  vtkSMPThreadLocal<std::shared_ptr<LatticeValues<Id>>> OnLattice; ///< from round to round
+  std::tuple<std::unique_ptr<LevelLimits<Level<Id>>>, std::unique_ptr<LevelLimits<TetOctLevel<Id>>>>
+    OnLattice; ///< that of the control level is set
   // Of each vertex of the state so far:
   std::vector<Carrier> Carriers;
   std::vector<PlaceOfVertex> Places;

@@ -3,8 +3,6 @@
 
 #include "Core/Memory/Ids.h"
 
-#include <algorithm>
-
 namespace subdivision
 {
 
@@ -44,41 +42,19 @@ SparseRows<Id> RedGreenLimit<Id>::GetControlRows() const
 }
 
 template <typename Id>
-LocalLimit<Id> RedGreenLimit<Id>::MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
-  const Buffer<unsigned char>& wanted, const ControlSolids* solids, bool isCurvedOnly) const
-{
-  const auto makeOnLevels = [&](const Buffer<unsigned char>& ofThese)
-  {
-    return std::visit(
-      [&](const auto& control)
-      {
-        return LocalLimit<Id>(control, this->Creases, midpoints, ofThese, 1, solids, isCurvedOnly);
-      },
-      this->Control);
-  };
-  const auto* boxSpline = std::get_if<Level<Id>>(&this->Control);
-  if (!boxSpline || solids)
-  {
-    return makeOnLevels(wanted);
-  }
-  Buffer<unsigned char> others;
-  auto limit = LocalLimit<Id>::MakeOnLattice(*boxSpline, this->Creases, midpoints, wanted, others);
-  if (std::find(others.begin(), others.end(), 1) != others.end())
-  {
-    limit.Append(makeOnLevels(others));
-  }
-  return limit;
-}
-
-template <typename Id>
 LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state, bool hasNormals) const
 {
   const Id given = state.GetNumberOfInputVertices();
   std::vector<std::array<Id, 2>> midpoints(state.GetNumberOfVertices() - given);
   ForEach(static_cast<vtkIdType>(midpoints.size()),
     [&](vtkIdType i) { midpoints[i] = state.GetEnds(static_cast<Id>(given + i)); });
-  return this->MakeOperator(
-    midpoints, Buffer<unsigned char>(), hasNormals ? &this->Solids : nullptr, false);
+  return std::visit(
+    [&](const auto& control)
+    {
+      return hasNormals ? LocalLimit<Id>(control, this->Creases, midpoints, {}, 1, &this->Solids)
+                        : LocalLimit<Id>::MakeOnLattice(control, this->Creases, midpoints);
+    },
+    this->Control);
 }
 
 SUBDIVISION_COMPILE(class RedGreenLimit);

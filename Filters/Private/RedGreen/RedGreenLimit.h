@@ -51,11 +51,6 @@ public:
   /// for normals, too.
   LocalLimit<Id> GetOperator(const RedGreen<Id>& state, bool hasNormals) const;
 
-  /// The limits of some vertices of a state (LocalLimit.h); `isCurvedOnly`: none of them lies
-  /// inside a solid.
-  LocalLimit<Id> MakeOperator(const std::vector<std::array<Id, 2>>& midpoints,
-    const Buffer<unsigned char>& wanted, const ControlSolids* solids, bool isCurvedOnly) const;
-
   const SemiSharpStages<Id>& GetCreases() const { return this->Creases; }
   const std::vector<double>& GetControlCoordinates() const { return this->ControlCoordinates; }
   const std::vector<double>& GetControlAttribute() const { return this->ControlAttribute; }

@@ -88,9 +88,8 @@ void RedGreenRun::FindLimit()
   const RefinementOptions& criteria = this->Options.Criteria;
   const auto simplices =
     static_cast<double>(this->Mesh.Control.Cells.Simplices.GetNumberOfSimplices());
-  const double ofErrors = criteria.Attribute && criteria.AttributeErrorOfLimit
-    ? LimitBatches::BytesOfTet * simplices
-    : 0.;
+  const double ofErrors =
+    criteria.Attribute && criteria.AttributeErrorOfLimit ? BytesOfErrors * simplices : 0.;
   KeepEstimate(ofErrors + perCell * simplices); // how many there will be is not known before
   const double fitting = std::max(0., GetAvailableMemory() - ofErrors) / perCell;
   const auto wanted = static_cast<double>(this->Options.MaximumNumberOfCells);

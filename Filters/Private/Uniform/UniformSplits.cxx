@@ -151,8 +151,7 @@ void UniformRun::Narrow(typename Scheme::Level& level, int step)
     {
       const int distance = std::min(this->Options.Levels - step, MostDistance);
       const Buffer<unsigned char> at = FlagVertices(level.Complex, this->Control.Runs, distance);
-      const CurvedParts<Level<Id>> all;
-      const Restriction<Level<Id>> part(level, at, all);
+      const Restriction<Level<Id>> part(level, at);
       const Buffer<Id>& old = part.GetOldVertices();
       this->Points->Take(
         BlockOperator<Id>(level.Complex.NumberOfVertices, old.size(),

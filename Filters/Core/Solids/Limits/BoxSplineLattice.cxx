@@ -6,6 +6,7 @@
 #include "Core/Solids/Limits/LatticeLimit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace subdivision
 {
@@ -46,38 +47,18 @@ LatticeWeights Sum(LatticeWeights a, const LatticeWeights& b)
     a.begin(), a.end(), b.begin(), a.begin(), [](long long x, long long y) { return x + y; });
   return a;
 }
-/// A vertex as one of the next level.
-template <typename Id>
-LatticeVertex<Id> Double(LatticeVertex<Id> vertex)
+/// A vertex inside a face of which each edge is sharp lies on a curve along the edge in the middle
+/// of which it was made: the corner of the face whose weight does not change along this.
+int FindStillCorner(LatticeWeights weights)
 {
-  vertex.Weights = Sum(vertex.Weights, vertex.Weights);
-  return vertex;
-}
-
-}
-
-template <typename Id>
-SharpSimplices<Id> FindSharpSimplices(
-  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases)
-{
-  SharpSimplices<Id> sharp;
-  const std::vector<SharpRow> rows = creases.ListParts(complex).GetRows();
-  if (!rows.empty())
+  const auto isEven = [](long long w) { return w % 2 == 0; };
+  while (std::all_of(weights.begin(), weights.end(), isEven))
   {
-    sharp.Flags = { { Buffer<unsigned char>(complex.NumberOfVertices, 0),
-      Buffer<unsigned char>(complex.NumberOfEdges, 0),
-      Buffer<unsigned char>(complex.NumberOfFaces, 0) } };
-    const vtkIdType vertices = complex.NumberOfVertices;
-    for (const SharpRow& row : InTurn(rows))
-    {
-      row.Row < vertices ? sharp.Flags[0][row.Row] = 1 : sharp.Flags[1][row.Row - vertices] = 1;
-    }
-    for (const vtkIdType face : InTurn(creases.FaceSharpness.size()))
-    {
-      sharp.Flags[2][face] = creases.FaceSharpness[face] > 0. ? 1 : 0;
-    }
+    std::for_each(weights.begin(), weights.end(), [](long long& w) { w /= 2; });
   }
-  return sharp;
+  return static_cast<int>(std::find_if(weights.begin(), weights.end(), isEven) - weights.begin());
+}
+
 }
 
 template <typename Id>
@@ -213,7 +194,7 @@ bool BoxSplineLattice<Id>::ForRingOnEdge(const LatticeVertex<Id>& vertex, const 
   act(1, edge, vertex.Weights, Move(vertex.Weights, 0, 1));
   act(1, edge, vertex.Weights, Move(vertex.Weights, 1, 0));
   const Id* ends = this->GetCorners(1, edge);
-  const bool goesInside = rule == Rule::Solid || rule == Rule::Blend;
+  const bool goesInside = this->HasSolids && (rule == Rule::Solid || rule == Rule::Blend);
   for (const Id face : rule == Rule::Curve ? Row<Id>{ nullptr, nullptr } : faces)
   {
     if (face < 0 && rule == Rule::Blend) // a member for the first step only
@@ -252,17 +233,20 @@ bool BoxSplineLattice<Id>::ForRingInFace(const LatticeVertex<Id>& vertex, const 
 {
   const Id face = vertex.Simplex;
   const Rule rule = this->GetRule(vertex);
-  const Row<Id> tets = this->Complex.FaceTets[face];
-  if (!this->IsFaceKnown(rule, tets.size()))
+  if (this->IsUnknown(rule))
   {
     return false;
   }
+  const int still = rule == Rule::Curve ? FindStillCorner(vertex.Weights) : -1;
   for (int i = 0; i < 3; ++i)
   {
-    act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 1) % 3));
-    act(2, face, vertex.Weights, Move(vertex.Weights, i, (i + 2) % 3));
+    for (const int k : { (i + 1) % 3, (i + 2) % 3 })
+    {
+      i != still&& k != still ? act(2, face, vertex.Weights, Move(vertex.Weights, i, k)) : void();
+    }
   }
-  for (const Id tet : rule == Rule::Surface ? Row<Id>{ nullptr, nullptr } : tets)
+  const bool goesInside = this->HasSolids && rule != Rule::Surface && rule != Rule::Curve;
+  for (const Id tet : goesInside ? this->Complex.FaceTets[face] : Row<Id>{ nullptr, nullptr })
   {
     const int apex = this->Complex.FaceInTet(tet, face);
     const LatticeWeights own =
@@ -296,10 +280,6 @@ template <typename Id>
 bool BoxSplineLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
   row.Clear();
-  if (this->IsSharp(vertex.Dimension, vertex.Simplex))
-  {
-    return false;
-  }
   const LatticeWeights& weights = vertex.Weights;
   return std::all_of(weights.begin(), weights.end(), [](long long w) { return w % 2 == 0; })
     ? this->ReadVertexRow(vertex, row)
@@ -450,9 +430,9 @@ bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
 {
   const Id face = vertex.Simplex;
   const Row<Id> tets = this->Complex.FaceTets[face];
-  if (!this->IsFaceKnown(rule, tets.size()))
+  if (this->IsUnknown(rule) || rule == Rule::Curve)
   {
-    return false;
+    return rule == Rule::Curve;
   }
   const Id* corners = this->GetCorners(2, face);
   int even = 0;
@@ -465,7 +445,7 @@ bool BoxSplineLattice<Id>::AddRingInFace(const LatticeVertex<Id>& vertex,
   --across[even];
   row.Add(this->Find(2, face, With(base, even)), 0.);
   row.Add(this->Find(2, face, across), 0.);
-  if (rule == Rule::Surface)
+  if (rule == Rule::Surface || !this->HasSolids)
   {
     return true;
   }
@@ -539,47 +519,21 @@ void BoxSplineLattice<Id>::AddRingInTet(const LatticeVertex<Id>& vertex, const L
 }
 
 template <typename Id>
-bool BoxSplineLattice<Id>::SolveLimit(
-  const LatticeVertex<Id>& vertex, std::vector<double>& weights) const
+bool BoxSplineLattice<Id>::AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const
 {
-  std::vector<LatticeVertex<Id>> items{ vertex };
-  std::vector<LatticeVertex<Id>> next{ Double(vertex) };
-  const bool isRead = this->ForRing(vertex,
+  star.Add(vertex, vertex.Double());
+  const bool isKnown = this->ForRing(vertex,
     [&](int dimension, Id simplex, const LatticeWeights& own, const LatticeWeights& other)
     {
-      items.push_back(this->Find(dimension, simplex, other));
-      next.push_back(this->Find(dimension, simplex, Sum(own, other)));
+      star.Add(
+        this->Find(dimension, simplex, other), this->Find(dimension, simplex, Sum(own, other)));
     });
-  return isRead && SolveLatticeLimit(*this, items, next, weights);
-}
-
-/// The limit by way of the next level, where the rules around a vertex are those of all later ones.
-template <typename Id>
-bool BoxSplineLattice<Id>::ReadLimitAfterStep(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
-{
-  LatticeRow<Id> next;
-  LatticeRow<Id> step;
-  bool isKnown = this->ReadLimit(Double(vertex), next);
-  row.Clear();
-  for (std::size_t i = 0; isKnown && i < next.Vertices.size(); ++i)
-  {
-    isKnown = this->ReadRow(next.Vertices[i], step);
-    for (std::size_t k = 0; k < step.Vertices.size(); ++k)
-    {
-      row.Add(step.Vertices[k], next.Weights[i] * step.Weights[k]);
-    }
-  }
-  return isKnown;
+  return isKnown && (vertex.Dimension > 0 || !this->HasSolids || GrowStar(*this, *this, star));
 }
 
 template <typename Id>
 bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
-  if (vertex.Dimension == 1 && std::min(vertex.Weights[0], vertex.Weights[1]) == 1 &&
-    !FindSectorEdges(this->Strata.Sectors, vertex.Simplex).IsEmpty())
-  {
-    return this->ReadLimitAfterStep(vertex, row); // not that of others on the edge
-  }
   static const std::vector<double> ofCurves{ 2. / 3., 1. / 6., 1. / 6. };
   static const std::vector<double> ofSurfaces{ 1. / 2., 1. / 12., 1. / 12., 1. / 12., 1. / 12.,
     1. / 12., 1. / 12. };
@@ -591,12 +545,20 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
   if (!weights)
   {
     this->SetKey(vertex);
-    weights = this->Limits.Find(
-      this->Key, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
+    weights = this->Limits.Find(this->Key,
+      [&](std::vector<double>& solved) { return SolveLatticeLimit(*this, vertex, solved); });
   }
   if (!weights)
   {
     return false;
+  }
+  if (vertex.Dimension == 0)
+  {
+    LatticeStar<Id> star;
+    const bool isKnown = this->AddStar(vertex, star);
+    row.Vertices = std::move(star.Items);
+    row.Weights = *weights;
+    return isKnown;
   }
   row.Clear();
   row.Add(vertex, weights->front());
@@ -605,7 +567,6 @@ bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow
     { row.Add(this->Find(dimension, in, other), (*weights)[row.Weights.size()]); });
 }
 
-SUBDIVISION_COMPILE_FUNCTION(FindSharpSimplices);
 SUBDIVISION_COMPILE(class BoxSplineLattice);
 
 }

@@ -54,6 +54,16 @@ struct LatticeVertex
   }
   /// On the control level its number.
   Id GetColumn() const { return this->Simplex; }
+  /// The same vertex as one of the next level.
+  LatticeVertex Double() const
+  {
+    LatticeVertex vertex = *this;
+    for (long long& weight : vertex.Weights)
+    {
+      weight *= 2;
+    }
+    return vertex;
+  }
 };
 
 template <typename Id>
@@ -88,38 +98,37 @@ void AppendId(Id id, Neighbourhood& key)
   key.insert(key.end(), { static_cast<int>(number), static_cast<int>(number >> 32) });
 }
 
-/// The control vertices, edges and faces of which rows depend on what is semi-sharp, on any level.
+/// What the limit of a vertex depends on: the vertex itself and its neighbours, and what a step
+/// makes of them, which are the same ones on the next level. Some may be there twice.
 template <typename Id>
-struct SharpSimplices
+struct LatticeStar
 {
-  std::array<Buffer<unsigned char>, 3> Flags; ///< by the dimension; all are empty if there are none
+  std::vector<LatticeVertex<Id>> Items;
+  std::vector<LatticeVertex<Id>> Next;
 
-  bool Has(int dimension, Id simplex) const
+  void Add(const LatticeVertex<Id>& item, const LatticeVertex<Id>& next)
   {
-    return dimension < 3 && !this->Flags[dimension].empty() && this->Flags[dimension][simplex] != 0;
+    this->Items.push_back(item);
+    this->Next.push_back(next);
   }
 };
-template <typename Id>
-SharpSimplices<Id> FindSharpSimplices(
-  const SimplicialComplex<Id>& complex, const SemiSharpStages<Id>& creases);
 
-/// It has the rules of vertices, edges and faces with d = 0 to 3, and Blend; of a level of another
-/// scheme than the box spline those with d < 3.
-/// Methods that return false have met another one, such as a joint that is sharp, or something
-/// semi-sharp. At joints with Blend nobody may ask for limits of vertices of the control level
-/// itself, whose first step differs. Threads have one each.
+/// It has all rules; of a level of another scheme than the box spline those with d < 3, and with
+/// Blend what does not lie inside solids. Methods return false where the rule is that of solids
+/// there. Nothing is semi-sharp (SharpLattice.h). Nobody may ask for limits of vertices of the
+/// control level itself, whose first step may differ. Threads have one each.
 template <typename Id>
 class BoxSplineLattice
 {
 public:
   using LevelRow = LatticeRow<Id>;
 
-  /// `level` was made with Depth::ForRefinement, or is the control level. Both must outlive this.
+  /// `level` was made with Depth::ForRefinement, or is the control level; `strata`: its own, or
+  /// those of a SharpStage. Both must outlive this.
   template <typename LevelType>
-  BoxSplineLattice(const LevelType& level, const SharpSimplices<Id>& sharp)
+  BoxSplineLattice(const LevelType& level, const subdivision::Strata<Id>& strata)
     : Complex(level.Complex)
-    , Strata(level.Strata)
-    , Sharp(sharp)
+    , Strata(strata)
     , HasSolids(std::is_same<LevelType, Level<Id>>::value)
   {
   }
@@ -137,8 +146,9 @@ public:
   bool ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   /// The limit of a vertex over its own level (Mathematics 8).
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
+  /// Adds a vertex and its ring.
+  bool AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const;
 
-  bool IsSharp(int dimension, Id simplex) const { return this->Sharp.Has(dimension, simplex); }
   Rule GetRule(const LatticeVertex<Id>& vertex) const;
   /// The vertices of an edge, face or tetrahedron.
   const Id* GetCorners(int dimension, Id simplex) const;
@@ -146,15 +156,7 @@ public:
 private:
   LatticeWeights Lift(const Id* from, int corners, const LatticeWeights& weights, const Id* to,
     int cornersThere) const;
-  bool IsUnknown(Rule rule) const
-  {
-    return !this->HasSolids && (rule == Rule::Blend || rule == Rule::Solid);
-  }
-  bool IsFaceKnown(Rule rule, vtkIdType tets) const
-  {
-    return rule == Rule::Surface ||
-      (this->HasSolids && (rule == Rule::Blend || (rule == Rule::Solid && tets == 2)));
-  }
+  bool IsUnknown(Rule rule) const { return !this->HasSolids && rule == Rule::Solid; }
   template <typename Act>
   bool ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
   template <typename Act>
@@ -176,14 +178,10 @@ private:
   void AddRingInTet(const LatticeVertex<Id>& vertex, const LatticeWeights& base,
     LatticeRow<Id>& row, Rule& rule) const;
   void SetKey(const LatticeVertex<Id>& vertex);
-  void AppendRule(const Buffer<Stratum>& strata, int dimension, Id simplex);
   void AppendEdge(Id edge);
-  bool SolveLimit(const LatticeVertex<Id>& vertex, std::vector<double>& weights) const;
-  bool ReadLimitAfterStep(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const SharpSimplices<Id>& Sharp;
   const bool HasSolids; ///< of the box-spline scheme
   LatticeLimits Limits;
   // Of the limit that is looked for:

@@ -43,12 +43,51 @@ struct SolvedRows
   }
 };
 
-/// Finds the weights of `items`, the vertex and its neighbourhood; `next` is what they become on
-/// the next level. False: a rule is unknown, or a row reads more than the neighbourhood.
+/// Adds to the star of a vertex of the control mesh what the rows of its items read besides: an
+/// edge of the ring may have a rule that reads more than that of the vertex. `curved` knows
+/// simplices. False: a rule is unknown.
 template <typename Lattice, typename Id>
-bool SolveLatticeLimit(Lattice& lattice, const std::vector<LatticeVertex<Id>>& items,
-  const std::vector<LatticeVertex<Id>>& next, std::vector<double>& weights)
+bool GrowStar(const Lattice& lattice, const BoxSplineLattice<Id>& curved, LatticeStar<Id>& star)
 {
+  VertexNumbers<LatticeVertex<Id>> known;
+  for (const LatticeVertex<Id>& item : star.Items)
+  {
+    known.GetNumber(item);
+  }
+  const LatticeVertex<Id> centre = star.Items[0];
+  LatticeRow<Id> row;
+  bool isKnown = true;
+  for (std::size_t i = 0; isKnown && i < star.Next.size(); ++i) // the list grows meanwhile
+  {
+    isKnown = lattice.ReadRow(star.Next[i], row);
+    for (const LatticeVertex<Id>& vertex : row.Vertices)
+    {
+      if (known.Find(vertex) < 0)
+      {
+        known.GetNumber(vertex);
+        const Id* corners = curved.GetCorners(vertex.Dimension, vertex.Simplex);
+        const Id* end = corners + vertex.Dimension + 1;
+        LatticeVertex<Id> next = vertex;
+        next.Weights[std::find(corners, end, centre.Simplex) - corners] += centre.Weights[0];
+        star.Add(vertex, next);
+      }
+    }
+  }
+  return isKnown;
+}
+
+/// Finds the weights of the items of a star. False: a rule is unknown, or a row reads more than
+/// these.
+template <typename Lattice, typename Id>
+bool SolveLatticeLimit(
+  const Lattice& lattice, const LatticeVertex<Id>& vertex, std::vector<double>& weights)
+{
+  LatticeStar<Id> star;
+  if (!lattice.AddStar(vertex, star))
+  {
+    return false;
+  }
+  const std::vector<LatticeVertex<Id>>& items = star.Items;
   VertexNumbers<LatticeVertex<Id>> known;
   std::vector<int> places; // where each of these is among the items first
   for (std::size_t item = 0; item < items.size(); ++item)
@@ -60,9 +99,9 @@ bool SolveLatticeLimit(Lattice& lattice, const std::vector<LatticeVertex<Id>>& i
   }
   SolvedRows solved;
   LatticeRow<Id> row;
-  for (const LatticeVertex<Id>& vertex : next)
+  for (const LatticeVertex<Id>& next : star.Next)
   {
-    if (!lattice.ReadRow(vertex, row))
+    if (!lattice.ReadRow(next, row))
     {
       return false;
     }

@@ -26,7 +26,7 @@ void BoxSplineLattice<Id>::SetKey(const LatticeVertex<Id>& vertex)
   }
   else if (vertex.Dimension == 2)
   {
-    this->AppendRule(this->Strata.Faces, 2, simplex);
+    this->Key.push_back(static_cast<int>(this->Strata.Faces[simplex].GetRule()));
     for (const Id tet : this->Complex.FaceTets[simplex])
     {
       for (int k = 0; k < 3; ++k)
@@ -37,19 +37,12 @@ void BoxSplineLattice<Id>::SetKey(const LatticeVertex<Id>& vertex)
   }
 }
 
-template <typename Id>
-void BoxSplineLattice<Id>::AppendRule(const Buffer<Stratum>& strata, int dimension, Id simplex)
-{
-  this->Key.push_back(
-    2 * static_cast<int>(strata[simplex].GetRule()) + (this->IsSharp(dimension, simplex) ? 1 : 0));
-}
-
 /// The faces around an edge, and of each tetrahedron at them which edge it marks, and whether its
 /// diagonal comes behind the face.
 template <typename Id>
 void BoxSplineLattice<Id>::AppendEdge(Id edge)
 {
-  this->AppendRule(this->Strata.Edges, 1, edge);
+  this->Key.push_back(static_cast<int>(this->Strata.Edges[edge].GetRule()));
   const Id* ends = this->GetCorners(1, edge);
   this->Tets.clear();
   for (const Id face : this->Strata.EdgeRings.GetCarriers(edge))
@@ -59,7 +52,7 @@ void BoxSplineLattice<Id>::AppendEdge(Id edge)
       this->Key.push_back(-1);
       continue;
     }
-    this->AppendRule(this->Strata.Faces, 2, face);
+    this->Key.push_back(static_cast<int>(this->Strata.Faces[face].GetRule()));
     const int places[2] = { this->Complex.VertexInFace(face, ends[0]),
       this->Complex.VertexInFace(face, ends[1]) };
     this->Key.push_back(places[0] < places[1] ? 1 : 0);

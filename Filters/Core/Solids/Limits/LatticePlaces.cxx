@@ -28,6 +28,18 @@ int LatticePlaces<Id>::Carrier::GetSize() const
   return static_cast<int>(std::count_if(this->Corners.begin(), this->Corners.end(), isCorner));
 }
 
+/// Adds a corner, so that all ascend.
+template <typename Id>
+void LatticePlaces<Id>::Carrier::Add(Id corner)
+{
+  int k = this->GetSize();
+  for (; k > 0 && corner < this->Corners[k - 1]; --k)
+  {
+    this->Corners[k] = this->Corners[k - 1];
+  }
+  this->Corners[k] = corner;
+}
+
 template <typename Id>
 bool LatticePlaces<Id>::Find(const std::vector<std::array<Id, 2>>& midpoints)
 {
@@ -119,6 +131,42 @@ void LatticePlaces<Id>::FindSimplices()
   this->FindSimplicesAmong(this->Complex.EdgeVertices, 2);
   this->FindSimplicesAmong(this->Complex.FaceVertices, 3);
   this->FindSimplicesAmong(this->Complex.TetVertices, 4);
+  this->OctVertices ? this->FindPieces() : void();
+}
+
+/// Finds those with a diagonal of an octahedron among their corners.
+template <typename Id>
+void LatticePlaces<Id>::FindPieces()
+{
+  ForEachInTurn(this->OctVertices->size() / 6,
+    [&](vtkIdType oct)
+    {
+      const Id* vertices = this->OctVertices->data() + 6 * oct;
+      for (int piece = 0; piece < 27; ++piece)
+      {
+        const int diagonal = piece / 9;
+        Carrier carrier{ { { -1, -1, -1, -1 } } };
+        carrier.Add(vertices[2 * diagonal]);
+        carrier.Add(vertices[2 * diagonal + 1]);
+        const int others[2] = { piece % 3, piece / 3 % 3 }; // 2: none
+        for (int i = 0; i < 2; ++i)
+        {
+          others[i] < 2 ? carrier.Add(vertices[2 * ((diagonal + i + 1) % 3) + others[i]]) : void();
+        }
+        const std::ptrdiff_t found = this->Carriers.Find(carrier);
+        if (found >= 0)
+        {
+          Simplex& simplex = this->Simplices[static_cast<std::size_t>(found)];
+          simplex.Number = static_cast<Id>(this->Complex.NumberOfTets + oct);
+          simplex.IsOct = true;
+          for (int k = 0; k < carrier.GetSize(); ++k)
+          {
+            simplex.Order[k] = static_cast<signed char>(
+              std::find(vertices, vertices + 6, carrier.Corners[k]) - vertices);
+          }
+        }
+      }
+    });
 }
 
 template <typename Id>
@@ -141,14 +189,7 @@ void LatticePlaces<Id>::FindSimplicesAmong(const Buffer<Id>& vertices, int size)
         return;
       }
       Carrier carrier{ { { -1, -1, -1, -1 } } };
-      for (int k = 0; k < size; ++k) // g++ takes std::sort for one that reads beyond the array
-      {
-        carrier.Corners[k] = corners[k];
-        for (int j = k; j > 0 && carrier.Corners[j] < carrier.Corners[j - 1]; --j)
-        {
-          std::swap(carrier.Corners[j], carrier.Corners[j - 1]);
-        }
-      }
+      std::for_each(corners, corners + size, [&carrier](Id corner) { carrier.Add(corner); });
       const std::ptrdiff_t found = this->Carriers.Find(carrier);
       if (found >= 0)
       {
@@ -172,6 +213,17 @@ LatticeVertex<Id> LatticePlaces<Id>::GetMidpoint(Id vertex) const
   LatticeVertex<Id> found;
   found.Dimension = this->Carriers.Vertices[place.Carrier].GetSize() - 1;
   found.Simplex = simplex.Number;
+  if (simplex.IsOct)
+  {
+    for (int k = 0; k <= found.Dimension; ++k)
+    {
+      const int number = simplex.Order[k];
+      found.Weights[number / 2] += number % 2 == 0 ? -place.Weights[k] : place.Weights[k];
+      found.Weights[3] += place.Weights[k];
+    }
+    found.Dimension = 3;
+    return found;
+  }
   for (int k = 0; k <= found.Dimension; ++k)
   {
     found.Weights[k] = place.Weights[simplex.Order[k]];

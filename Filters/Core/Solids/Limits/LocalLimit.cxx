@@ -42,18 +42,15 @@ template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids, bool isCurvedOnly)
+  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids)
     : Vertices(vertices)
     , Solids(solids)
-    , IsCurvedOnly(isCurvedOnly)
   {
   }
 
   /// False: the parts were too small.
   bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
     std::vector<Step>& steps);
-  /// From now on parts have what lies inside solids. False: they have had it already.
-  bool TakeSolidsToo() { return std::exchange(this->IsCurvedOnly, false); }
 
 private:
   /// A level, or a part of one.
@@ -82,8 +79,6 @@ private:
 
   void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
     std::size_t number, Trace& trace) const;
-  Buffer<unsigned char> FlagSupport(const LevelType& level, const CurvedParts<LevelType>& curved,
-    std::size_t number, int distance) const;
   void FindControlParts(const LevelType& control, Piece& piece) const;
   void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
   static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
@@ -94,7 +89,6 @@ private:
 
   LocalVertices<Id>& Vertices;
   const ControlSolids* const Solids; ///< null: no normals are made
-  bool IsCurvedOnly;
 };
 
 /// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
@@ -123,23 +117,6 @@ void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
     trace.Tangents.Shading = BuildShadingStars(
       level, creases, solids, piece.Cells, rows, this->Solids->Steps + static_cast<int>(number));
   }
-}
-
-/// Flags the vertices at which everything is kept for the next step. In the first attempt the last
-/// step has no neighbours of vertices whose rows do not read solids: the limit of the midpoint of
-/// an edge of a surface reads rows of edges at the ends only.
-template <typename Id>
-template <typename LevelType>
-Buffer<unsigned char> LocalLimit<Id>::Builder<LevelType>::FlagSupport(const LevelType& level,
-  const CurvedParts<LevelType>& curved, std::size_t number, int distance) const
-{
-  if (distance != 1 || this->Solids || number + 2 < this->Vertices.GetNumberOfLevels())
-  {
-    return this->Vertices.FlagSupport(level, curved, number, distance);
-  }
-  CurvedParts<LevelType> solid(level);
-  std::fill(solid.Edges.begin(), solid.Edges.end(), 0);
-  return this->Vertices.FlagSupport(level, solid, number, distance);
 }
 
 /// Finds where the cells of the level lie from which the steps start.
@@ -313,12 +290,8 @@ bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
     {
       break;
     }
-    // While something is sharp, other rules hold, which may read solids.
-    const auto curved = this->IsCurvedOnly && levelCreases->Stages.empty()
-      ? CurvedParts<LevelType>(*level)
-      : CurvedParts<LevelType>();
-    const Buffer<unsigned char> support = this->FlagSupport(*level, curved, l, distance);
-    const Restriction<LevelType> restriction(*level, support, curved);
+    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, l, distance);
+    const Restriction<LevelType> restriction(*level, support);
     const Buffer<Id>& old = restriction.GetOldVertices();
     Piece part;
     part.Level = restriction.Restrict();
@@ -429,7 +402,6 @@ bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
     {
       renumber(steps[l + 1].Rows);
     }
-    steps[l].IsFirst = l == 0;
     steps[l].Rows = l == 0 ? MakeCopies(kept.Old) : MakeRows(traces[l], kept.Old);
     // Final for level 0; renumber() sets it for the others in the next pass.
     steps[l].Rows.NumberOfColumns = columns;
@@ -445,15 +417,15 @@ template <typename Id>
 template <typename LevelType>
 LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
   const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  int distance, const ControlSolids* solids, bool isCurvedOnly)
+  int distance, const ControlSolids* solids)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
   LocalVertices<Id> vertices(control.Complex.NumberOfVertices, midpoints, wanted);
-  Builder<LevelType> builder(vertices, solids, isCurvedOnly);
+  Builder<LevelType> builder(vertices, solids);
   while (!builder.Build(control, creases, distance, this->Steps))
   {
-    distance += builder.TakeSolidsToo() ? 0 : 1;
+    ++distance;
   }
 }
 
@@ -461,7 +433,7 @@ SUBDIVISION_COMPILE(class LocalLimit);
 #define SUBDIVISION_LOCAL(Level)                                                                   \
   template LocalLimit<Level::IdType>::LocalLimit(const Level&,                                     \
     const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
-    const Buffer<unsigned char>&, int, const ControlSolids*, bool)
+    const Buffer<unsigned char>&, int, const ControlSolids*)
 SUBDIVISION_LOCAL(Level<int>);
 SUBDIVISION_LOCAL(Level<long long>);
 SUBDIVISION_LOCAL(TetOctLevel<int>);

@@ -10,8 +10,8 @@
  * arise (Restriction.h), and refined with the usual rules and rings. The limit row of a vertex is
  * taken on the level on which the vertex first exists (LimitStencils.h). Then the program goes back
  * from the limits to the control level and keeps only the rows that are ancestors. If the part was
- * too small for one of these, so that the row lacks entries, all is repeated with a larger part: at
- * first with what lies inside solids, if that was left out, then with a larger distance.
+ * too small for one of these, so that the row lacks entries, all is repeated with a larger
+ * distance.
  */
 #ifndef SubdivisionObjects_LocalLimit_h
 #define SubdivisionObjects_LocalLimit_h
@@ -39,28 +39,20 @@ public:
    * limits of vertices that are close together can all be those on one level. `wanted` flags the
    * vertices whose limits are computed (empty: all); Apply leaves the values of the others.
    * `distance`: at first a part has all vertices within this number of edges of its ancestors.
-   * `solids`: what ComputeNormals needs; null: it is not called. `isCurvedOnly`: no wanted vertex
-   * lies inside a solid (then `solids` is null), so that parts need not have what lies there.
+   * `solids`: what ComputeNormals needs; null: it is not called.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
     const std::vector<std::array<Id, 2>>& midpoints,
     const Buffer<unsigned char>& wanted = Buffer<unsigned char>(), int distance = 1,
-    const ControlSolids* solids = nullptr, bool isCurvedOnly = false);
+    const ControlSolids* solids = nullptr);
 
-  /**
-   * The same by the box-spline scheme without making levels: rows follow from where vertices lie
-   * (BoxSplineLattice.h). There are no normals. Midpoints are those of edges; this is not checked.
-   * `others` receives flags of wanted vertices whose limits are not found so, because a rule on
-   * which they depend is unknown, or ends lie in no simplex. Which these are depends on what is
-   * around a vertex alone (but where HasSharpSectors: then all are), so that parts of a mesh have
-   * the bits of the whole one.
-   */
-  static LocalLimit MakeOnLattice(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-    const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-    Buffer<unsigned char>& others);
-  /// Adds limits of other vertices of the same mesh.
-  void Append(LocalLimit&& others);
+  /// The same without making levels: rows follow from where vertices lie (SharpLattice.h). There
+  /// are no normals. Only ends that lie in no cell are noticed, and not whether they have an edge.
+  template <typename LevelType>
+  static LocalLimit MakeOnLattice(const LevelType& control, const SemiSharpStages<Id>& creases,
+    const std::vector<std::array<Id, 2>>& midpoints,
+    const Buffer<unsigned char>& wanted = Buffer<unsigned char>());
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
@@ -77,10 +69,8 @@ public:
   vtkIdType GetNumberBetween() const override;
   void ForEachBlock(const User& use) const override;
 
-  // The levels, from the control level on, for who follows single rows (LocalLattice.h):
+  // The levels, from the control level on:
   int GetNumberOfLevels() const { return static_cast<int>(this->Steps.size()); }
-  /// Whether its rows copy control values. So it is once more behind what Append adds.
-  bool IsFirst(int level) const { return this->Steps[level].IsFirst; }
   /// The wanted vertices that first exist on a level, and their limits over the level's values.
   const std::vector<Id>& GetVertices(int level) const { return this->Steps[level].Vertices; }
   const SparseRows<Id>& GetLimitsOnLevel(int level) const { return this->Steps[level].Limits; }
@@ -93,14 +83,14 @@ private:
   /// One step, and the limits of the wanted vertices that first exist on its level.
   struct Step
   {
-    bool IsFirst = false;  ///< Rows copy control values
-    SparseRows<Id> Rows;   ///< from values of the step before, or copies
+    SparseRows<Id> Rows;   ///< from values of the step before; the first ones copy control values
     SparseRows<Id> Limits; ///< from this step's values
     std::vector<Id> Vertices;
     LimitTangents<Id> Tangents; ///< of the same vertices, from this step's values
   };
   template <typename LevelType>
   class Builder;
+  template <typename LevelType>
   class LatticeBuilder;
   std::array<vtkIdType, 2> GetSizesBetween() const;
 

@@ -6,14 +6,14 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Operators/VertexRow.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/LatticePlaces.h"
-#include "Core/Solids/Limits/SolidPlaces.h"
+#include "Core/Solids/Limits/SharpLattice.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 namespace subdivision
@@ -49,39 +49,20 @@ private:
   GrowingBuffer<double> Weights;
 };
 
-/// Flags the rows that depend on a rule that is not known: they are empty, or have a column that is
-/// flagged in `before`.
-template <typename Id>
-Buffer<unsigned char> FlagUnknown(const SparseRows<Id>& rows, const Buffer<unsigned char>& before)
-{
-  Buffer<unsigned char> flags(rows.GetNumberOfRows());
-  ForEach(flags.size(),
-    [&](vtkIdType i)
-    {
-      const Id* columns = rows.Columns.data();
-      const Id begin = rows.Offsets[i];
-      const Id end = rows.Offsets[i + 1];
-      flags[i] = begin == end ||
-          std::any_of(columns + begin, columns + end, [&](Id k) { return before[k] != 0; })
-        ? 1
-        : 0;
-    });
-  return flags;
-}
-
 }
 
 /// Goes from the finest level back to the control level, and numbers on each what the rows read.
 template <typename Id>
+template <typename LevelType>
 class LocalLimit<Id>::LatticeBuilder
 {
 public:
   LatticeBuilder(
-    const Level<Id>& control, const SemiSharpStages<Id>& creases, const LatticePlaces<Id>& places)
+    const LevelType& control, const SemiSharpStages<Id>& creases, const LatticePlaces<Id>& places)
     : Control(control)
     , Creases(creases)
     , Places(places)
-    , Sharp(FindSharpSimplices(control.Complex, creases))
+    , Makes(control, creases)
   {
   }
 
@@ -104,41 +85,16 @@ public:
       this->MakeRows(steps[level]);
     }
     this->MakeControlLimits(std::move(onLevel[0]), steps[0]);
-  }
-
-  /// Takes away the limits that depend on a rule that is not known, and flags their vertices.
-  void TakeUnknown(std::vector<Step>& steps, Buffer<unsigned char>& unknown) const
-  {
-    Buffer<unsigned char> rows(steps[0].Rows.GetNumberOfRows(), 0);
-    for (std::size_t level = 1; this->HasUnknown && level < steps.size(); ++level)
+    if (this->IsUnknown)
     {
-      Step& step = steps[level];
-      rows = FlagUnknown(step.Rows, rows);
-      const Buffer<unsigned char> limits = FlagUnknown(step.Limits, rows);
-      RowList<Id> known;
-      std::vector<Id> vertices;
-      for (const Id i : InTurn(static_cast<Id>(limits.size())))
-      {
-        if (limits[i])
-        {
-          unknown[step.Vertices[i]] = 1;
-          continue;
-        }
-        vertices.push_back(step.Vertices[i]);
-        for (Id k = step.Limits.Offsets[i]; k < step.Limits.Offsets[i + 1]; ++k)
-        {
-          known.Add(static_cast<std::size_t>(step.Limits.Columns[k]), step.Limits.Weights[k]);
-        }
-        known.EndRow();
-      }
-      step.Limits = known.Take(static_cast<std::size_t>(step.Limits.NumberOfColumns));
-      step.Vertices = std::move(vertices);
+      throw std::logic_error("The rule of a vertex is not known.");
     }
   }
 
 private:
   using Vertex = LatticeVertex<Id>;
   using Numbers = VertexNumbers<Vertex>;
+  using Lattice = typename LevelLattices<LevelType>::Lattice;
 
   /// The limits of the wanted vertices of a level; those in the same control simplex, which have
   /// the same weights, side by side.
@@ -147,8 +103,8 @@ private:
     const auto getKey = [this](Id v) { return std::make_pair(this->Places.GetCarrier(v), v); };
     std::sort(vertices.begin(), vertices.end(), [&](Id a, Id b) { return getKey(a) < getKey(b); });
     step.Limits = this->ReadRows(vertices.size(), this->OfLevel,
-      [&](std::size_t i, BoxSplineLattice<Id>& lattice, LatticeRow<Id>& row)
-      { return lattice.ReadLimit(this->Places.GetMidpoint(vertices[i]), row); });
+      [&](std::size_t i, Lattice& lattice, LatticeRow<Id>& row)
+      { return lattice.ReadLimit(this->Places.GetVertex(vertices[i]), row); });
     step.Vertices = std::move(vertices);
   }
 
@@ -159,12 +115,12 @@ private:
     Numbers before;
     const std::vector<Vertex>& vertices = this->OfLevel.Vertices;
     step.Rows = this->ReadRows(vertices.size(), before,
-      [&](std::size_t i, const BoxSplineLattice<Id>& lattice, LatticeRow<Id>& row)
+      [&](std::size_t i, const Lattice& lattice, LatticeRow<Id>& row)
       { return lattice.ReadRow(vertices[i], row); });
     std::swap(this->OfLevel, before);
   }
 
-  /// read(number, lattice, row) in threads; rows that it does not know are empty.
+  /// read(number, lattice, row) in threads. False: a rule is unknown.
   template <typename Read>
   SparseRows<Id> ReadRows(std::size_t size, Numbers& numbers, const Read& read)
   {
@@ -177,10 +133,10 @@ private:
       ForRanges(static_cast<vtkIdType>(count),
         [&](vtkIdType begin, vtkIdType end)
         {
-          std::shared_ptr<BoxSplineLattice<Id>>& lattice = this->Lattices.Local();
+          std::shared_ptr<Lattice>& lattice = this->OfThreads.Local();
           if (!lattice)
           {
-            lattice = std::make_shared<BoxSplineLattice<Id>>(this->Control, this->Sharp);
+            lattice = this->Makes.Make();
           }
           for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
           {
@@ -194,7 +150,7 @@ private:
           rows.Add(numbers.GetNumber(found[i].Vertices[k]), found[i].Weights[k]);
         }
         rows.EndRow();
-        this->HasUnknown = this->HasUnknown || found[i].Vertices.empty();
+        this->IsUnknown = this->IsUnknown || found[i].Vertices.empty();
       }
     }
     return rows.Take(numbers.Vertices.size());
@@ -212,7 +168,6 @@ private:
     }
     step.Limits.NumberOfColumns = static_cast<vtkIdType>(this->OfLevel.Vertices.size());
     step.Vertices = std::move(vertices);
-    step.IsFirst = true;
     RowList<Id> copies;
     for (const Vertex& vertex : InTurn(this->OfLevel.Vertices))
     {
@@ -222,41 +177,40 @@ private:
     step.Rows = copies.Take(static_cast<std::size_t>(this->Control.Complex.NumberOfVertices));
   }
 
-  const Level<Id>& Control;
+  const LevelType& Control;
   const SemiSharpStages<Id>& Creases;
   const LatticePlaces<Id>& Places;
-  const SharpSimplices<Id> Sharp;
-  vtkSMPThreadLocal<std::shared_ptr<BoxSplineLattice<Id>>> Lattices;
+  const LevelLattices<LevelType> Makes;
+  vtkSMPThreadLocal<std::shared_ptr<Lattice>> OfThreads;
   Numbers OfLevel; ///< of the vertices of the current level
-  bool HasUnknown = false;
+  bool IsUnknown = false;
 };
 
 template <typename Id>
-LocalLimit<Id> LocalLimit<Id>::MakeOnLattice(const Level<Id>& control,
+template <typename LevelType>
+LocalLimit<Id> LocalLimit<Id>::MakeOnLattice(const LevelType& control,
   const SemiSharpStages<Id>& creases, const std::vector<std::array<Id, 2>>& midpoints,
-  const Buffer<unsigned char>& wanted, Buffer<unsigned char>& others)
+  const Buffer<unsigned char>& wanted)
 {
   LocalLimit limit;
   limit.NumberOfColumns = control.Complex.NumberOfVertices;
   limit.NumberOfRows = limit.NumberOfColumns + static_cast<vtkIdType>(midpoints.size());
-  others = Buffer<unsigned char>(limit.NumberOfRows, 0);
-  LatticePlaces<Id> places(control.Complex);
-  if (HasSharpSectors(control.Strata, creases) || !places.Find(midpoints))
+  LatticePlaces<Id> places(control);
+  if (!places.Find(midpoints))
   {
-    ForEach(others.size(), [&](vtkIdType i) { others[i] = wanted.empty() ? 1 : wanted[i]; });
-    return limit;
+    throw std::invalid_argument("A midpoint has ends that lie in no cell.");
   }
-  LatticeBuilder builder(control, creases, places);
-  builder.Build(wanted, limit.Steps);
-  builder.TakeUnknown(limit.Steps, others);
+  LatticeBuilder<LevelType>(control, creases, places).Build(wanted, limit.Steps);
   return limit;
 }
 
-template LocalLimit<int> LocalLimit<int>::MakeOnLattice(const Level<int>&,
-  const SemiSharpStages<int>&, const std::vector<std::array<int, 2>>&, const Buffer<unsigned char>&,
-  Buffer<unsigned char>&);
-template LocalLimit<long long> LocalLimit<long long>::MakeOnLattice(const Level<long long>&,
-  const SemiSharpStages<long long>&, const std::vector<std::array<long long, 2>>&,
-  const Buffer<unsigned char>&, Buffer<unsigned char>&);
+#define SUBDIVISION_ON_LATTICE(Level)                                                              \
+  template LocalLimit<Level::IdType> LocalLimit<Level::IdType>::MakeOnLattice(const Level&,        \
+    const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
+    const Buffer<unsigned char>&)
+SUBDIVISION_ON_LATTICE(Level<int>);
+SUBDIVISION_ON_LATTICE(Level<long long>);
+SUBDIVISION_ON_LATTICE(TetOctLevel<int>);
+SUBDIVISION_ON_LATTICE(TetOctLevel<long long>);
 
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -47,8 +46,8 @@ void LocalLimit<Id>::ForEachBlock(const User& use) const
         WeightedRows<Id> rows = step.Rows.GetRows(begin, end);
         rows.FirstRow += starts[l % 2];
         rows.ToBetween = true;
-        rows.FromBetween = !step.IsFirst;
-        rows.FirstColumn = step.IsFirst ? 0 : starts[(l - 1) % 2];
+        rows.FromBetween = l > 0;
+        rows.FirstColumn = l == 0 ? 0 : starts[(l - 1) % 2];
         use(rows);
       });
     ForBlocksInThreads(step.Limits.GetNumberOfRows(),
@@ -61,12 +60,6 @@ void LocalLimit<Id>::ForEachBlock(const User& use) const
         use(rows);
       });
   }
-}
-
-template <typename Id>
-void LocalLimit<Id>::Append(LocalLimit&& others)
-{
-  std::move(others.Steps.begin(), others.Steps.end(), std::back_inserter(this->Steps));
 }
 
 template <typename Id>

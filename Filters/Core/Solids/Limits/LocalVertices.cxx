@@ -130,8 +130,8 @@ Buffer<Id> LocalVertices<Id>::FindWantedOnPart(std::size_t level) const
 
 template <typename Id>
 template <typename LevelType>
-Buffer<unsigned char> LocalVertices<Id>::FlagSupport(const LevelType& part,
-  const CurvedParts<LevelType>& curved, std::size_t level, int distance) const
+Buffer<unsigned char> LocalVertices<Id>::FlagSupport(
+  const LevelType& part, std::size_t level, int distance) const
 {
   const SimplicialComplex<Id>& complex = part.Complex;
   Buffer<unsigned char> flags(complex.NumberOfVertices, 0);
@@ -141,21 +141,19 @@ Buffer<unsigned char> LocalVertices<Id>::FlagSupport(const LevelType& part,
   }
   for (int step = 1; step <= distance; ++step)
   {
-    const auto spread = [&](const Id* ends, const auto& joins)
+    const auto spread = [&](const Id* ends)
     {
       for (int i = 0; i < 2; ++i)
       {
-        if (flags[ends[i]] > 0 && flags[ends[i]] <= step && flags[ends[1 - i]] == 0 &&
-          joins(ends[i]))
+        if (flags[ends[i]] > 0 && flags[ends[i]] <= step && flags[ends[1 - i]] == 0)
         {
           flags[ends[1 - i]] = static_cast<unsigned char>(std::min(step + 1, 255));
         }
       }
     };
-    ForEachInTurn(complex.NumberOfEdges, [&](vtkIdType e)
-      { spread(complex.EdgeVertices.data() + 2 * e, [&](Id v) { return curved.Joins(e, v); }); });
-    ForDiagonals(part, [&](const Id* ends, Id)
-      { spread(ends, [&](Id v) { return curved.IsAll() || curved.ReadsSolids[v]; }); });
+    ForEachInTurn(
+      complex.NumberOfEdges, [&](vtkIdType e) { spread(complex.EdgeVertices.data() + 2 * e); });
+    ForDiagonals(part, [&](const Id* ends, Id) { spread(ends); });
   }
   return flags;
 }
@@ -210,7 +208,7 @@ void LocalVertices<Id>::FollowToPart(
 SUBDIVISION_COMPILE(class LocalVertices);
 #define SUBDIVISION_FOLLOW(Level)                                                                  \
   template Buffer<unsigned char> LocalVertices<Level::IdType>::FlagSupport(                        \
-    const Level&, const CurvedParts<Level>&, std::size_t, int) const;                              \
+    const Level&, std::size_t, int) const;                                                         \
   template void LocalVertices<Level::IdType>::FollowToPart(                                        \
     const Level&, const Buffer<Level::IdType>&, std::size_t)
 SUBDIVISION_FOLLOW(Level<int>);

@@ -50,11 +50,10 @@ public:
   /// exists on this level.
   Id GetPlace(Id vertex) const { return this->At[vertex]; }
 
-  /// Flags the ancestors and all vertices within `distance` steps of them, along edges that
-  /// `curved` has and, where solids matter, across octahedra. `part` is the current one.
+  /// Flags the ancestors and all vertices within `distance` steps of them, along edges and across
+  /// octahedra. `part` is the current one.
   template <typename LevelType>
-  Buffer<unsigned char> FlagSupport(const LevelType& part, const CurvedParts<LevelType>& curved,
-    std::size_t level, int distance) const;
+  Buffer<unsigned char> FlagSupport(const LevelType& part, std::size_t level, int distance) const;
 
   /// Goes on to a part of the current part, where vertices have the numbers `vertices`: finds the
   /// ancestors in it, and the numbers that vertices of the next level will have when it is refined.

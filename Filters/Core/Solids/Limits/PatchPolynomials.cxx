@@ -5,14 +5,14 @@
 #include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
-#include "Core/Solids/Limits/BoxSplineLattice.h"
+#include "Core/Solids/Limits/LatticeCorners.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
+#include "Core/Solids/Limits/SharpLattice.h"
 #include "Core/Solids/Limits/SheetReader.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numeric>
 #include <set>
 
@@ -42,19 +42,6 @@ int FindSimplex(
     ++number;
   }
   return number;
-}
-
-/// Goes from the corners of an edge or face to those of a child; each step doubles their weights.
-void GoToChild(int dimension, int child, std::array<LatticeWeights, 4>& corners)
-{
-  const std::array<LatticeWeights, 4> before = corners;
-  for (int i = 0; i <= dimension; ++i)
-  {
-    const auto& [a, b] = ListChildren(dimension)[child].Corners[i];
-    const LatticeWeights& first = before[a];
-    const LatticeWeights& second = before[b];
-    std::transform(first.begin(), first.end(), second.begin(), corners[i].begin(), std::plus<>());
-  }
 }
 
 /// The polynomial that is 1 at a node of the lattice and 0 at all others: integers, divided once.
@@ -243,8 +230,7 @@ Level<int> SheetMesh::MakeLevel(LoopWeights ofSurfaces) const
 std::vector<double> SheetMesh::FindPowers(const SheetKey& key, LoopWeights ofSurfaces) const
 {
   const int dimension = key.Places == SheetPlaces::Face ? 2 : 1;
-  std::array<LatticeWeights, 4> corners{ { { { 1, 0, 0, 0 } }, { { 0, 1, 0, 0 } },
-    { { 0, 0, 1, 0 } }, {} } };
+  LatticeCorners corners{ { { { 1, 0, 0, 0 } }, { { 0, 1, 0, 0 } }, { { 0, 0, 1, 0 } }, {} } };
   int level = 2; // that has the nodes
   for (const int child : ListChildrenTo(key.Part))
   {
@@ -252,23 +238,22 @@ std::vector<double> SheetMesh::FindPowers(const SheetKey& key, LoopWeights ofSur
     ++level;
   }
   const Level<int> control = this->MakeLevel(ofSurfaces);
-  const SharpSimplices<int> nothing;
-  BoxSplineLattice<int> lattice(control, nothing);
+  const SemiSharpStages<int> noCreases;
+  const LevelLattices<Level<int>> lattices(control, noCreases);
+  const auto lattice = lattices.Make();
   const std::array<int, 3> own{ { 0, 1, 2 } };
   const int simplex = FindSimplex(control.Complex, dimension, own);
-  const int* listed = lattice.GetCorners(dimension, simplex);
-  PlaceSum<BoxSplineLattice<int>, PatchPolynomial> sum(lattice);
+  const int* listed = lattice->GetSmooth().GetCorners(dimension, simplex);
+  PlaceSum<LevelLattices<Level<int>>::Lattice, PatchPolynomial> sum(*lattice);
   for (const PlaceNode& node : ListLattice(dimension))
   {
+    const LatticeWeights combined = CombineCorners(corners, node);
     LatticeWeights at{};
-    for (int i = 0; i <= dimension; ++i)
+    for (int k = 0; k <= dimension; ++k)
     {
-      for (int k = 0; k <= dimension; ++k)
-      {
-        at[k] += node[i] * corners[i][listed[k]];
-      }
+      at[k] = combined[listed[k]];
     }
-    sum.AddLimit(lattice.Find(dimension, simplex, at), ExpandNode(node));
+    sum.AddLimit(lattice->GetSmooth().Find(dimension, simplex, at), ExpandNode(node));
   }
   sum.StepBack(level);
   const std::size_t columns = this->Equals.size();

@@ -10,7 +10,6 @@
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/RegularParts.h"
 #include "Core/Solids/Limits/SolidPlaces.h"
-#include "Core/Solids/Limits/TetOctPlaces.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -144,10 +143,6 @@ private:
   std::vector<double> Weights; ///< of all columns for the first power, for the second, ...
 };
 
-/// How often a part of a tetrahedron is split after all of its corners lie inside, where the limit
-/// is a polynomial of degree 5: each split divides what derivatives of a polynomial of degree 4
-/// leave out by 16.
-constexpr int SplitsInside = 10;
 /// How often patches are split: nearer to a corner that is not regular there are few places, and
 /// parts are numbered in 16 bits.
 constexpr int SplitsOfPatch = 6;
@@ -178,12 +173,7 @@ public:
     this->Splits = carriers == this->Carriers ? this->Splits + 1 : 0;
     this->Carriers = carriers;
   }
-  bool IsEnough() const
-  {
-    return this->Splits >= (this->IsInsideTet() ? SplitsInside : MostSplits);
-  }
-  /// Whether all corners of the part lie inside a tetrahedron.
-  bool IsInsideTet() const { return this->Dimension == 3 && this->Carriers == 1u << 15u; }
+  bool IsEnough() const { return this->Splits >= MostSplits; }
 
 private:
   unsigned int FlagCarriers(const PlaceInPart& part) const
@@ -250,55 +240,38 @@ int CountSharpSteps(const SemiSharpStages<Id>& creases)
 /// The control vertices at which something depends on what is semi-sharp; empty: there are none.
 /// The limit over a simplex none of whose corners is one of them is what it is where nothing is
 /// sharp: on all levels it reads rows of what lies at its corners.
-template <typename LevelType, typename Id>
-Buffer<unsigned char> FlagSharpVertices(const LevelType& level, const SemiSharpStages<Id>& creases)
+template <typename Id>
+Buffer<unsigned char> FlagSharpVertices(
+  const SimplicialComplex<Id>& complex, const SharpSimplices<Id>& sharp)
 {
-  const SimplicialComplex<Id>& complex = level.Complex;
-  if (HasSharpSectors(level.Strata, creases))
+  Buffer<unsigned char> flags(sharp.IsEmpty() ? 0 : complex.NumberOfVertices, 0);
+  const auto flag = [&](int dimension, const Buffer<Id>& corners)
   {
-    return Buffer<unsigned char>(complex.NumberOfVertices, 1);
-  }
-  SharpSimplices<Id> sharp = FindSharpSimplices(complex, creases);
-  Buffer<unsigned char> flags = std::move(sharp.Flags[0]);
-  const std::array<const Buffer<Id>*, 2> corners{ { &complex.EdgeVertices,
-    &complex.FaceVertices } };
-  for (int d = 1; d < 3 && !flags.empty(); ++d)
-  {
-    for (const vtkIdType i : InTurn(sharp.Flags[d].size()))
+    for (const vtkIdType i : InTurn(corners.size()))
     {
-      for (int k = 0; sharp.Flags[d][i] && k <= d; ++k)
-      {
-        flags[(*corners[d - 1])[(d + 1) * i + k]] = 1;
-      }
+      flags[corners[i]] |= sharp.Has(dimension, static_cast<Id>(i / (dimension + 1))) ? 1 : 0;
     }
+  };
+  for (const Id v : InTurn(static_cast<Id>(flags.size())))
+  {
+    flags[v] = sharp.Has(0, v) ? 1 : 0;
+  }
+  if (!flags.empty())
+  {
+    flag(1, complex.EdgeVertices);
+    flag(2, complex.FaceVertices);
   }
   return flags;
 }
 
-/// Follows a place through solids of the tet/oct scheme. `octahedron`: that which has it, or null.
-template <typename Id>
-void FollowTetOct(
-  const LimitPlace<Id>& place, const Id* octahedron, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
-{
-  const PlaceInPart part = StartPart(place);
-  TetOctPlace<Id> inside = octahedron ? TetOctPlace<Id>(octahedron, place.Corners, part)
-                                      : TetOctPlace<Id>(place.Corners, part);
-  for (int splits = 0; splits < MostSplits; ++splits)
-  {
-    inside.Split(names);
-  }
-  inside.Finish(names, nodes.Vertices, nodes.Weights);
-}
-
-/// Splits a simplex around a place `sharpSteps` times, and on until the part is regular or so small
-/// that the limit is linear. Its nodes are those of a polynomial then, or its corners.
+/// Splits a curve or triangle around a place `sharpSteps` times, and on until the part is regular
+/// or so small that the limit is linear. Its nodes are those of a polynomial then, or its corners.
 template <typename Id>
 void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimension,
   int sharpSteps, bool hasDerivatives, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
 {
   std::array<Id, 4> corners = simplex.Corners;
-  const auto isRegular = [&]()
-  { return dimension < 3 && IsRegular(part, dimension, simplex.Parts); };
+  const auto isRegular = [&]() { return IsRegular(part, dimension, simplex.Parts); };
   // At a corner of a part the limit is that of a vertex, but for its derivatives.
   const auto isAtCorner = [&]()
   { return !hasDerivatives && std::find(part.At.begin(), part.At.end(), 1.) != part.At.end(); };
@@ -311,7 +284,7 @@ void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimen
     corners = GetCornersOfChild(corners, dimension, child, names);
     count.Add(part);
   }
-  if (isAtCorner() || (!isRegular() && !count.IsInsideTet()))
+  if (isAtCorner() || !isRegular())
   {
     TakeCorners(dimension, part, corners, nodes);
     return;
@@ -325,19 +298,13 @@ void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimen
 
 /// What the row of each place is made of. `ready`: rows that are known.
 template <typename LevelType, typename Id>
-std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
-  RegularReader<LevelType>& reader, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places, const std::vector<PlaceRow<Id>>& ready,
-  bool hasDerivatives, VertexNames<Id>& names)
+std::vector<PlaceNodes<Id>> FindNodes(const LevelType& level, RegularReader<LevelType>& reader,
+  const SharpSimplices<Id>& sharp, const std::vector<LimitPlace<Id>>& places,
+  const std::vector<PlaceRow<Id>>& ready, bool hasDerivatives, VertexNames<Id>& names)
 {
   constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
-  const int sharpSteps = CountSharpSteps(creases);
-  const Buffer<unsigned char> isSharpAt = FlagSharpVertices(level, creases);
-  [[maybe_unused]] SimplexTable<Id, 4> pieces;
-  if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
-  {
-    pieces = ListOctPieces(level, FlagCorners(level.Complex.NumberOfVertices, places, true));
-  }
+  const int sharpSteps = CountSharpSteps(sharp.GetCreases());
+  const Buffer<unsigned char> isSharpAt = FlagSharpVertices(level.Complex, sharp);
   std::vector<PlaceNodes<Id>> all;
   all.reserve(places.size());
   for (const LimitPlace<Id>& place : InTurn(places))
@@ -354,22 +321,14 @@ std::vector<PlaceNodes<Id>> FindNodes([[maybe_unused]] const LevelType& level,
       TakeCorners(dimension, StartPart(place), place.Corners, nodes);
       continue;
     }
-    if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
+    if (dimension == 3)
     {
-      if (dimension == 3)
-      {
-        const Id piece = pieces.Find(place.Corners.data());
-        FollowTetOct(place,
-          piece < 0 ? nullptr : level.OctVertices.data() + 6 * vtkIdType(piece / PiecesOfOct),
-          names, nodes);
-        continue;
-      }
+      continue; // all that is known is ready
     }
     const RegularSimplex<Id>& regular = reader.Find(place);
     const Id* ids = place.Corners.data();
     const bool isSharp = !isSharpAt.empty() &&
-      (dimension == 3 ||
-        std::any_of(ids, ids + dimension + 1, [&](Id v) { return isSharpAt[v] != 0; }));
+      std::any_of(ids, ids + dimension + 1, [&](Id v) { return isSharpAt[v] != 0; });
     nodes.Simplex = &regular;
     nodes.Part = !isSharp && regular.Inner.GetSize() > 0 ? 1 : 0;
     if (nodes.Part > 0)
@@ -547,15 +506,16 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
   VertexNames<Id> names(level.Complex.NumberOfVertices);
   RegularReader<LevelType> reader(level, places);
   std::vector<PlaceRow<Id>> ready(places.size());
+  const LevelLattices<LevelType> lattices(level, creases);
   if constexpr (!isLinear)
   {
     if (FindDimension(places) == 3)
     {
-      ready = FindSolidRows(level, creases, places);
+      ready = FindSolidRows(level, lattices, places);
     }
   }
-  const std::vector<PlaceNodes<Id>> nodes =
-    FindNodes(level, reader, creases, places, ready, derivatives != PlaceDerivatives::None, names);
+  const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, lattices.GetSharp(), places,
+    ready, derivatives != PlaceDerivatives::None, names);
   if constexpr (isLinear)
   {
     TakeNodes(nodes, ready);

@@ -12,10 +12,7 @@
  * to level, so that derivatives are exact however small the part is (PlaceSum.h, LocalLattice.h).
  * Polynomials of large parts of curves and sheets are found once for all simplices with the same
  * neighbourhood (PatchPolynomials.h), and inside of regular sheets they are those of the box spline
- * (SplineColumns.h). In solids each place has a row of its own (SolidPlaces.h). Near joints with
- * rules of their own, and near what is semi-sharp, tetrahedra are split as curves and surfaces are;
- * those of the tet/oct scheme into tetrahedra and octahedra that are so small that the limit is
- * linear (TetOctPlaces.h).
+ * (SplineColumns.h). In solids each place has a row of its own (SolidPlaces.h).
  */
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h

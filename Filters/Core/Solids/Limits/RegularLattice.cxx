@@ -26,7 +26,7 @@ bool RegularLattice<Id>::Find(Id tet, LatticeWeights weights, LatticeVertex<Id>&
     const auto least = std::min_element(weights.begin(), weights.end());
     if (*least >= 0)
     {
-      vertex = this->Lattice.Find(3, tet, weights);
+      vertex = this->Lattice.GetSmooth().Find(3, tet, weights);
       return true;
     }
     const auto corner = static_cast<int>(least - weights.begin());
@@ -43,7 +43,7 @@ bool RegularLattice<Id>::Find(Id tet, LatticeWeights weights, LatticeVertex<Id>&
     }
     const Row<Id> tets = this->Complex.FaceTets[face];
     const Id other = tets.begin()[tets.begin()[0] == tet ? 1 : 0];
-    weights = this->Lattice.LiftToTet(tet, weights, other);
+    weights = this->Lattice.GetSmooth().LiftToTet(tet, weights, other);
     weights[this->Complex.FaceInTet(other, face)] = count;
     tet = other;
   }

@@ -7,7 +7,7 @@
 #ifndef SubdivisionObjects_RegularLattice_h
 #define SubdivisionObjects_RegularLattice_h
 
-#include "Core/Solids/Limits/BoxSplineLattice.h"
+#include "Core/Solids/Limits/SharpLattice.h"
 
 #include <array>
 
@@ -19,7 +19,7 @@ class RegularLattice
 {
 public:
   /// Both must outlive this; the lattice is of the level.
-  RegularLattice(const Level<Id>& level, const BoxSplineLattice<Id>& lattice)
+  RegularLattice(const Level<Id>& level, const SharpLattice<Id, BoxSplineLattice<Id>>& lattice)
     : Complex(level.Complex)
     , Strata(level.Strata)
     , Lattice(lattice)
@@ -42,7 +42,7 @@ private:
 
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const BoxSplineLattice<Id>& Lattice;
+  const SharpLattice<Id, BoxSplineLattice<Id>>& Lattice;
 };
 
 }

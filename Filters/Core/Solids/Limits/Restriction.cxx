@@ -11,20 +11,17 @@ namespace subdivision
 namespace
 {
 
-/// Flags the things that have a vertex flagged in `at`, and the `curved` ones (if there are any)
-/// that have one flagged in `atCurved`. FlagParts then flags their faces.
+/// Flags the things that have a vertex flagged in `at`. FlagParts then flags their faces.
 template <typename Id>
-Buffer<unsigned char> FlagAt(const Buffer<unsigned char>& at, const Buffer<Id>& vertices,
-  int corners, vtkIdType size, const Buffer<unsigned char>& atCurved = Buffer<unsigned char>(),
-  const Buffer<unsigned char>& curved = Buffer<unsigned char>())
+Buffer<unsigned char> FlagAt(
+  const Buffer<unsigned char>& at, const Buffer<Id>& vertices, int corners, vtkIdType size)
 {
   Buffer<unsigned char> kept(size);
   ForEach(size,
     [&](vtkIdType i)
     {
       const Id* first = vertices.data() + corners * i;
-      const Buffer<unsigned char>& flags = !curved.empty() && curved[i] ? atCurved : at;
-      kept[i] = std::any_of(first, first + corners, [&](Id v) { return flags[v] != 0; });
+      kept[i] = std::any_of(first, first + corners, [&](Id v) { return at[v] != 0; });
     });
   return kept;
 }
@@ -50,91 +47,22 @@ Buffer<unsigned char> Copy(const Buffer<unsigned char>& flags)
 }
 
 template <typename LevelType>
-CurvedParts<LevelType>::CurvedParts(const LevelType& level)
-{
-  const auto& complex = level.Complex;
-  const Strata<Id>& strata = level.Strata;
-  const auto isSolid = [](Stratum stratum)
-  { return stratum.GetRule() == Rule::Solid || stratum.GetRule() == Rule::RegularEdge; };
-  const auto isFlat = [](Stratum stratum)
-  { return stratum.GetRule() == Rule::Surface || stratum.GetRule() == Rule::Curve; };
-  const auto isBlend = [](Stratum stratum) { return stratum.GetRule() == Rule::Blend; };
-  const auto flag = [&](const Buffer<Stratum>& of, const auto& is)
-  {
-    Buffer<unsigned char> flags(of.size());
-    ForEach(of.size(), [&](vtkIdType i) { flags[i] = is(of[i]); });
-    return flags;
-  };
-  this->ReadsSolids =
-    flag(strata.Vertices, [&](Stratum vertex) { return isSolid(vertex) || isBlend(vertex); });
-  this->Edges = flag(strata.Edges, [&](Stratum edge) { return !isSolid(edge); });
-  this->Faces = flag(strata.Faces, [&](Stratum face) { return !isSolid(face); });
-  // A ring that goes into solids, where the rule follows another dimension.
-  const auto goesInside = [&](const Rings<Id>& rings, vtkIdType owner, const auto& belongs)
-  {
-    const Row<Id> carriers = rings.GetCarriers(owner);
-    return std::any_of(carriers.begin(), carriers.end(),
-      [&](Id carrier) { return carrier < 0 || !belongs[carrier]; });
-  };
-  ForEach(strata.Vertices.size(),
-    [&](vtkIdType v)
-    {
-      if (isFlat(strata.Vertices[v]) && goesInside(strata.VertexRings, v, this->Edges))
-      {
-        this->ReadsSolids[v] = 1;
-      }
-    });
-  ForEachInTurn(strata.Edges.size(),
-    [&](vtkIdType e)
-    {
-      if (isFlat(strata.Edges[e]) && goesInside(strata.EdgeRings, e, this->Faces))
-      {
-        this->ReadsSolids[complex.EdgeVertices[2 * e]] = 1;
-        this->ReadsSolids[complex.EdgeVertices[2 * e + 1]] = 1;
-      }
-    });
-  const auto addVertices = [&](const Buffer<Stratum>& of, const Buffer<Id>& vertices, int corners)
-  {
-    ForEachInTurn(of.size(),
-      [&](vtkIdType i)
-      {
-        for (int k = 0; isBlend(of[i]) && k < corners; ++k)
-        {
-          this->ReadsSolids[vertices[corners * i + k]] = 1;
-        }
-      });
-  };
-  addVertices(strata.Edges, complex.EdgeVertices, 2);
-  addVertices(strata.Faces, complex.FaceVertices, 3);
-}
-
-template <typename LevelType>
-Restriction<LevelType>::Restriction(
-  const LevelType& level, const Buffer<unsigned char>& at, const CurvedParts<LevelType>& curved)
+Restriction<LevelType>::Restriction(const LevelType& level, const Buffer<unsigned char>& at)
   : Whole(level)
   , At(at)
   , Solids(level)
 {
   const auto& complex = level.Complex;
-  Buffer<unsigned char> own; // vertices of `at` whose solids are kept
-  if (!curved.IsAll())
-  {
-    own = Copy(at);
-    ForEach(at.size(), [&](vtkIdType v) { own[v] = at[v] && curved.ReadsSolids[v]; });
-  }
-  const Buffer<unsigned char>& solid = curved.IsAll() ? at : own;
-  this->EdgesInside =
-    FlagAt(solid, complex.EdgeVertices, 2, complex.NumberOfEdges, at, curved.Edges);
-  this->FacesInside =
-    FlagAt(solid, complex.FaceVertices, 3, complex.NumberOfFaces, at, curved.Faces);
-  const Buffer<unsigned char> tets = FlagAt(solid, complex.TetVertices, 4, complex.NumberOfTets);
+  this->EdgesInside = FlagAt(at, complex.EdgeVertices, 2, complex.NumberOfEdges);
+  this->FacesInside = FlagAt(at, complex.FaceVertices, 3, complex.NumberOfFaces);
+  const Buffer<unsigned char> tets = FlagAt(at, complex.TetVertices, 4, complex.NumberOfTets);
   Buffer<unsigned char> faces = Copy(this->FacesInside);
   Buffer<unsigned char> edges = Copy(this->EdgesInside);
   Buffer<unsigned char> vertices = Copy(at);
   FlagParts(tets, complex.TetFaces, 4, faces);
   if constexpr (SchemeOf<LevelType>::Traits.HasPieces)
   {
-    const Buffer<unsigned char> octs = FlagAt(solid, level.OctVertices, 6, level.NumberOfOctahedra);
+    const Buffer<unsigned char> octs = FlagAt(at, level.OctVertices, 6, level.NumberOfOctahedra);
     FlagParts(octs, level.OctFaces, 8, faces);
     this->Octs = Selection<Id>(octs);
   }
@@ -393,10 +321,6 @@ SemiSharpStages<typename LevelType::IdType> Restriction<LevelType>::Restrict(
   return part;
 }
 
-template struct CurvedParts<Level<int>>;
-template struct CurvedParts<Level<long long>>;
-template struct CurvedParts<TetOctLevel<int>>;
-template struct CurvedParts<TetOctLevel<long long>>;
 template class Restriction<Level<int>>;
 template class Restriction<Level<long long>>;
 template class Restriction<TetOctLevel<int>>;

@@ -16,34 +16,8 @@ namespace subdivision
 {
 
 /**
- * What the limits of curves, surfaces and boundaries of solids depend on. Rows of vertices, edges
- * and faces with these rules do not read what lies inside solids, so that a part of a level need
- * not have it.
- */
-template <typename LevelType>
-struct CurvedParts
-{
-  using Id = typename LevelType::IdType;
-
-  CurvedParts() = default; ///< limits inside solids are wanted too: all is empty
-  explicit CurvedParts(const LevelType& level);
-
-  bool IsAll() const { return this->ReadsSolids.empty(); }
-  /// Whether what lies at a vertex, and an edge at it, belong together.
-  bool Joins(vtkIdType edge, Id vertex) const
-  {
-    return this->IsAll() || this->ReadsSolids[vertex] || this->Edges[edge];
-  }
-
-  /// Vertices whose row, or that of an edge or face at them, reads solids.
-  Buffer<unsigned char> ReadsSolids;
-  Buffer<unsigned char> Edges; ///< those that do not lie inside solids
-  Buffer<unsigned char> Faces;
-};
-
-/**
- * Chooses the part of a level of any scheme: all simplices and other solids at some vertices, or
- * only CurvedParts of them, and their faces. They keep their order.
+ * Chooses the part of a level of any scheme: all simplices and other solids at some vertices, and
+ * their faces. They keep their order.
  *
  * What lies at none of these vertices is at the border, where something may be missing. There
  * vertices are corners, edges creases, and faces a boundary, all without rings: rows made from them
@@ -55,10 +29,9 @@ class Restriction
 public:
   using Id = typename LevelType::IdType;
 
-  /// `level` was made with Depth::ForRefinement; `at`: whether all that lies at a vertex is kept,
-  /// as far as it belongs to `curved`. All three must outlive the restriction.
-  Restriction(
-    const LevelType& level, const Buffer<unsigned char>& at, const CurvedParts<LevelType>& curved);
+  /// `level` was made with Depth::ForRefinement; `at`: whether all that lies at a vertex is kept.
+  /// Both must outlive the restriction.
+  Restriction(const LevelType& level, const Buffer<unsigned char>& at);
 
   /// The part; none of its cells counts as a cell of the output.
   LevelType Restrict() const;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/SolidPlaces.h"
 
-#include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/BoxSplinePatch.h"
+#include "Core/Solids/Limits/LatticeCorners.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/RegularLattice.h"
 #include "Core/Solids/Limits/SimplexTable.h"
@@ -20,14 +20,13 @@ template <typename Id>
 class SolidPlaceFinder
 {
 public:
-  SolidPlaceFinder(const Level<Id>& level, const SharpSimplices<Id>& sharp)
+  SolidPlaceFinder(const Level<Id>& level, const LevelLattices<Level<Id>>& lattices)
     : Complex(level.Complex)
-    , Lattice(level, sharp)
-    , Regular(level, this->Lattice)
+    , Own(lattices.Make())
+    , Regular(level, *this->Own)
   {
   }
 
-  /// Leaves the row empty if a rule near the place is unknown.
   void Find(const LimitPlace<Id>& place, Id tet, PlaceRow<Id>& row)
   {
     this->Start(place, tet);
@@ -45,6 +44,8 @@ public:
   }
 
 private:
+  using Lattice = typename LevelLattices<Level<Id>>::Lattice;
+
   void Start(const LimitPlace<Id>& place, Id tet)
   {
     if (tet != this->Tet)
@@ -72,27 +73,7 @@ private:
   {
     const int child = this->Part.FindChild(3);
     this->Part.GoToChild(3, child);
-    const std::array<LatticeWeights, 4> old = this->Corners;
-    for (int i = 0; i < 4; ++i)
-    {
-      const auto [first, second] = ListChildren(3)[static_cast<std::size_t>(child)].Corners[i];
-      for (int k = 0; k < 4; ++k)
-      {
-        this->Corners[i][k] = old[first][k] + old[second][k];
-      }
-    }
-  }
-  LatticeWeights Combine(const std::array<int, 4>& factors) const
-  {
-    LatticeWeights weights{};
-    for (int i = 0; i < 4; ++i)
-    {
-      for (int k = 0; k < 4; ++k)
-      {
-        weights[k] += factors[i] * this->Corners[i][k];
-      }
-    }
-    return weights;
+    GoToChild(3, child, this->Corners);
   }
 
   /// Whether all is regular that the limit over the part depends on: what its corners lie in, and
@@ -130,7 +111,8 @@ private:
       const auto& steps = node.Steps;
       LatticeVertex<Id> vertex;
       if (!this->Regular.Find(this->Tet,
-            this->Combine({ { 1 - steps[0], steps[0] - steps[1], steps[1] - steps[2], steps[2] } }),
+            CombineCorners(this->Corners,
+              { { 1 - steps[0], steps[0] - steps[1], steps[1] - steps[2], steps[2] } }),
             vertex))
       {
         return false;
@@ -151,7 +133,7 @@ private:
       {
         weights[PlaceParts::First + d] = this->Part.Directions[d][i];
       }
-      if (!this->Sum.AddLimit(this->Lattice.Find(3, this->Tet, this->Corners[i]), weights))
+      if (!this->Sum.AddLimit(this->Own->GetSmooth().Find(3, this->Tet, this->Corners[i]), weights))
       {
         return false;
       }
@@ -160,37 +142,39 @@ private:
   }
 
   const SimplicialComplex<Id>& Complex;
-  BoxSplineLattice<Id> Lattice;
+  const std::shared_ptr<Lattice> Own;
   const RegularLattice<Id> Regular;
   Id Tet = -1;
   std::array<bool, 16> Parts{}; ///< of the tetrahedron that are regular
   PlaceInPart Part;
-  std::array<LatticeWeights, 4> Corners{}; ///< of the part
-  PlaceSum<BoxSplineLattice<Id>> Sum{ this->Lattice };
+  LatticeCorners Corners{}; ///< of the part
+  PlaceSum<Lattice> Sum{ *this->Own };
 };
 
 }
 
 template <typename Id>
-std::vector<PlaceRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places)
+std::vector<PlaceRow<Id>> FindSolidRows(const Level<Id>& level,
+  const LevelLattices<Level<Id>>& lattices, const std::vector<LimitPlace<Id>>& places)
 {
   using Finder = SolidPlaceFinder<Id>;
   const SimplexTable<Id, 4> tets(level.Complex.NumberOfTets,
     FlagCorners(level.Complex.NumberOfVertices, places, true), level.Complex.TetVertices);
-  return FindSolidRowsInThreads(
-    level, creases, places,
-    [&](const SharpSimplices<Id>& sharp) { return std::make_shared<Finder>(level, sharp); },
-    [&](Finder& finder, const LimitPlace<Id>& place, PlaceRow<Id>& row)
+  std::vector<PlaceRow<Id>> rows(places.size());
+  ForPlacesInThreads(
+    places.size(), [&]() { return std::make_shared<Finder>(level, lattices); },
+    [&](Finder& finder, std::size_t i)
     {
-      const Id tet = tets.Find(place.Corners.data());
-      tet >= 0 ? finder.Find(place, tet, row) : void();
+      const LimitPlace<Id>& place = places[i];
+      const Id tet = place.Dimension == 3 ? tets.Find(place.Corners.data()) : Id(-1);
+      tet >= 0 ? finder.Find(place, tet, rows[i]) : void();
     });
+  return rows;
 }
 
 template std::vector<PlaceRow<int>> FindSolidRows(
-  const Level<int>&, const SemiSharpStages<int>&, const std::vector<LimitPlace<int>>&);
+  const Level<int>&, const LevelLattices<Level<int>>&, const std::vector<LimitPlace<int>>&);
 template std::vector<PlaceRow<long long>> FindSolidRows(const Level<long long>&,
-  const SemiSharpStages<long long>&, const std::vector<LimitPlace<long long>>&);
+  const LevelLattices<Level<long long>>&, const std::vector<LimitPlace<long long>>&);
 
 }

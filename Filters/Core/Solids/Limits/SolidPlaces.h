@@ -16,8 +16,8 @@
 #include "Core/Memory/UnevenRanges.h"
 #include "Core/Operators/PlaceSum.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/BoxSplineLattice.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
+#include "Core/Solids/Limits/SharpLattice.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -32,15 +32,14 @@ namespace subdivision
 /// a part as small as this but for rounding, which does not grow with the splits (PlaceSum).
 constexpr int MostSplits = 52;
 
-/// The rows of those places in tetrahedra whose surroundings the lattice of the scheme knows the
-/// rules of; the others have no columns, such as those beside something semi-sharp.
+/// The rows of those places that are in tetrahedra; the others have no columns.
 template <typename Id>
-std::vector<PlaceRow<Id>> FindSolidRows(const Level<Id>& level, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places);
+std::vector<PlaceRow<Id>> FindSolidRows(const Level<Id>& level,
+  const LevelLattices<Level<Id>>& lattices, const std::vector<LimitPlace<Id>>& places);
 /// The same by the tet/oct scheme, in pieces of octahedra too.
 template <typename Id>
 std::vector<PlaceRow<Id>> FindSolidRows(const TetOctLevel<Id>& level,
-  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places);
+  const LevelLattices<TetOctLevel<Id>>& lattices, const std::vector<LimitPlace<Id>>& places);
 
 /// act(finder, number of the place) for all places in threads, each of which makes a finder.
 template <typename Make, typename Act>
@@ -60,39 +59,6 @@ void ForPlacesInThreads(std::size_t places, const Make& make, const Act& act)
         act(*finder, i);
       }
     });
-}
-
-/// Whether rules depend both on sectors and on what is semi-sharp: then rows read more of what is
-/// semi-sharp than what lies at their vertex or edge.
-template <typename Id>
-bool HasSharpSectors(const Strata<Id>& strata, const SemiSharpStages<Id>& creases)
-{
-  const auto hasSectors = [](const SharpStage<Id>& stage) { return !stage.Strata.Sectors.empty(); };
-  const auto isSharp = [](double sharpness) { return sharpness > 0.; };
-  const bool isAnySharp =
-    std::any_of(creases.Sharpness.begin(), creases.Sharpness.end(), isSharp) ||
-    std::any_of(creases.FaceSharpness.begin(), creases.FaceSharpness.end(), isSharp);
-  return isAnySharp &&
-    (!strata.Sectors.empty() ||
-      std::any_of(creases.Stages.begin(), creases.Stages.end(), hasSectors));
-}
-
-/// The rows of all places in solids, in threads: make(sharp) makes the finder of one, and
-/// find(finder, place, row) finds a row.
-template <typename LevelType, typename Id, typename Make, typename Find>
-std::vector<PlaceRow<Id>> FindSolidRowsInThreads(const LevelType& level,
-  const SemiSharpStages<Id>& creases, const std::vector<LimitPlace<Id>>& places, const Make& make,
-  const Find& find)
-{
-  std::vector<PlaceRow<Id>> rows(places.size());
-  if (!HasSharpSectors(level.Strata, creases))
-  {
-    const SharpSimplices<Id> sharp = FindSharpSimplices(level.Complex, creases);
-    ForPlacesInThreads(
-      places.size(), [&]() { return make(sharp); }, [&](auto& finder, std::size_t i)
-      { places[i].Dimension == 3 ? find(finder, places[i], rows[i]) : void(); });
-  }
-  return rows;
 }
 
 }

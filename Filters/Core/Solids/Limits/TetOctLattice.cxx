@@ -41,6 +41,13 @@ long long Sum(const Point& at)
   return at[0] + at[1] + at[2];
 }
 
+template <typename Id>
+void AddOnce(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
+{
+  const auto end = row.Vertices.end();
+  std::find(row.Vertices.begin(), end, vertex) == end ? row.Add(vertex, 0.) : void();
+}
+
 /// Corner 0 of a tetrahedron is the origin, and the others are (1, 1, 0), (1, 0, 1) and (0, 1, 1).
 Point ToPoint(const LatticeWeights& weights)
 {
@@ -317,42 +324,43 @@ void TetOctLattice<Id>::AddRegularEdge(
   }
 }
 
+/// The ends of the edge, on the level before, in the middle of which a vertex is.
+template <typename Id>
+std::array<Point, 2> TetOctLattice<Id>::FindEnds(const Frame& frame, const Point& at) const
+{
+  Point way{};
+  int last = 0; // of two axes
+  for (int k = 0; k < 3; ++k)
+  {
+    way[k] = at[k] % 2 != 0 ? 1 : 0;
+    last = way[k] != 0 ? k : last;
+  }
+  way[last] = this->IsVertex(frame, Halve(Add(at, way))) ? 1 : -1;
+  return { { Halve(Add(at, way, -1)), Halve(Add(at, way)) } };
+}
+
 /// Adds the shares of a control solid in the row of a vertex over the level before, and returns the
 /// number by which its row is divided.
 template <typename Id>
 int TetOctLattice<Id>::AddShares(
   const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const
 {
-  const LatticeWeights& weights = vertex.Weights;
-  const bool isInOct = vertex.Dimension == 3 && this->IsOct(solid);
-  const Frame frame{ solid,
-    (isInOct ? weights[3] : weights[0] + weights[1] + weights[2] + weights[3]) / 2 };
+  const Frame frame{ solid, this->GetSize(vertex) / 2 };
   const Point at = this->Place(vertex, solid);
-  // Vertices have an even sum in tetrahedra, and in octahedra one like the size.
-  const auto isVertex = [&](const Point& p)
-  { return (Sum(p) - (this->IsOct(solid) ? frame.Size : 0)) % 2 == 0; };
-  int odd[3] = {};
-  int odds = 0;
-  for (int k = 0; k < 3; ++k)
+  const auto isOdd = [](long long x) { return x % 2 != 0; };
+  if (std::any_of(at.begin(), at.end(), isOdd)) // the midpoint of an edge
   {
-    odd[odds] = k;
-    odds += at[k] % 2 != 0 ? 1 : 0;
-  }
-  if (odds > 0) // the midpoint of an edge
-  {
-    Point way{};
-    way[odd[0]] = way[odd[1]] = 1;
-    way[odd[1]] = isVertex(Halve(Add(at, way))) ? 1 : -1;
-    const Point ends[2] = { Halve(Add(at, way, -1)), Halve(Add(at, way)) };
+    const std::array<Point, 2> ends = this->FindEnds(frame, at);
     if (vertex.Dimension < 3)
     {
       return this->AddEdgeShares(frame, ends[0], ends[1], row);
     }
-    this->AddRegularEdge(frame, ends[0], ends[1], 3 - odd[0] - odd[1], row);
+    const auto third = static_cast<int>(std::find_if_not(at.begin(), at.end(), isOdd) - at.begin());
+    this->AddRegularEdge(frame, ends[0], ends[1], third, row);
     return 1;
   }
   const Point half = Halve(at);
-  if (isVertex(half))
+  if (this->IsVertex(frame, half))
   {
     if (vertex.Dimension < 3)
     {
@@ -372,15 +380,16 @@ int TetOctLattice<Id>::AddShares(
 template <typename Id>
 bool TetOctLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
-  if (vertex.Dimension < 3 && this->Curved.GetRule(vertex) != Rule::Solid)
+  const Rule rule = this->GetRule(vertex);
+  if (rule == Rule::Blend)
+  {
+    return this->ReadBlend(vertex, row);
+  }
+  if (rule != Rule::Solid)
   {
     return this->Curved.ReadRow(vertex, row);
   }
   row.Clear();
-  if (this->Curved.IsSharp(vertex.Dimension, vertex.Simplex))
-  {
-    return false;
-  }
   int cells = 0;
   this->ForSolids(vertex, [&](Id solid) { cells += this->AddShares(vertex, solid, row); });
   for (double& weight : row.Weights)
@@ -395,13 +404,10 @@ template <typename Id>
 template <typename Act>
 void TetOctLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) const
 {
-  const LatticeWeights& weights = vertex.Weights;
   this->ForSolids(vertex,
     [&](Id solid)
     {
-      const bool isInOct = vertex.Dimension == 3 && this->IsOct(solid);
-      const Frame frame{ solid,
-        isInOct ? weights[3] : weights[0] + weights[1] + weights[2] + weights[3] };
+      const Frame frame{ solid, this->GetSize(vertex) };
       const Point own = this->Place(vertex, solid);
       this->ForCells(frame, own,
         [&](const Cell& cell)
@@ -414,55 +420,158 @@ void TetOctLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act)
     });
 }
 
+/// With Blend the row of a vertex reads all vertices to which edges lead, but the control vertices
+/// that its ring leaves out; that of an edge those to which edges lead from both ends.
 template <typename Id>
-bool TetOctLattice<Id>::SolveLimit(
-  const LatticeVertex<Id>& vertex, std::vector<double>& weights) const
+bool TetOctLattice<Id>::ReadBlend(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
 {
-  std::vector<LatticeVertex<Id>> items{ vertex };
-  std::vector<LatticeVertex<Id>> next{ vertex };
-  for (long long& weight : next[0].Weights)
+  if (!this->Curved.ReadRow(vertex, row))
   {
-    weight *= 2;
+    return false;
+  }
+  const LatticeWeights& weights = vertex.Weights;
+  const bool isOld =
+    std::all_of(weights.begin(), weights.end(), [](long long w) { return w % 2 == 0; });
+  const std::size_t curved = row.Vertices.size();
+  if (vertex.Dimension == 1 && isOld)
+  {
+    this->AddSpokes(row.Vertices.front(), row);
+  }
+  for (const Id solid : vertex.Dimension == 2 ? this->Here.Complex.FaceTets[vertex.Simplex]
+                                              : Row<Id>{ nullptr, nullptr })
+  {
+    isOld ? this->AddNeighbours(row.Vertices.front(), solid, row)
+          : this->AddNeighboursOfEdge(vertex, solid, row);
+  }
+  if (row.Vertices.size() > curved)
+  {
+    const std::size_t own = isOld ? 1 : 2;
+    const auto ring = static_cast<vtkIdType>(row.Vertices.size() - own);
+    const Mask mask =
+      isOld ? VertexMask(Rule::Blend, ring, this->Strata.Weights) : EdgeMask(Rule::Blend, ring);
+    std::fill(row.Weights.begin(), row.Weights.end(), mask.Ring);
+    std::fill_n(row.Weights.begin(), own, mask.Own);
+  }
+  return true;
+}
+
+/// Adds the vertex ahead of one on a control edge in each octahedron at the faces of its ring.
+template <typename Id>
+void TetOctLattice<Id>::AddSpokes(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const
+{
+  const Id edge = vertex.Simplex;
+  for (const Id face : this->Strata.EdgeRings.GetCarriers(edge))
+  {
+    for (const Id solid :
+      face < 0 ? Row<Id>{ nullptr, nullptr } : this->Here.Complex.FaceTets[face])
+    {
+      const vtkIdType oct = solid - this->Here.Complex.NumberOfTets;
+      const auto isFirst = [&]()
+      {
+        const int local = FindPlace<12>(this->Here.OctEdges.data() + 12 * oct, edge);
+        return this->Here.OctFaces[8 * oct + octahedron::FirstFaceAt(local)] == face;
+      };
+      if (oct >= 0 && isFirst()) // two of its faces lie at the edge
+      {
+        Point at = this->Place(vertex, solid);
+        for (long long& x : at)
+        {
+          x -= x > 0 ? 1 : x < 0 ? -1 : 0;
+        }
+        row.Add(this->FindAt({ solid, this->GetSize(vertex) }, at), 0.);
+      }
+    }
+  }
+}
+
+/// Adds the neighbours in a solid at its face of a vertex there, but those on the face, which are
+/// in the row.
+template <typename Id>
+void TetOctLattice<Id>::AddNeighbours(
+  const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const
+{
+  const Frame frame{ solid, this->GetSize(vertex) };
+  this->ForCells(frame, this->Place(vertex, solid),
+    [&](const Cell& cell)
+    {
+      for (int i = cell.IsOct() ? 2 : 1; i < cell.Size; ++i)
+      {
+        AddOnce(this->FindAt(frame, cell.Vertices[i]), row);
+      }
+    });
+}
+
+/// The same for the edge in the middle of which a vertex is made.
+template <typename Id>
+void TetOctLattice<Id>::AddNeighboursOfEdge(
+  const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const
+{
+  const Frame frame{ solid, this->GetSize(vertex) / 2 };
+  const std::array<Point, 2> ends = this->FindEnds(frame, this->Place(vertex, solid));
+  this->ForCells(frame, ends[0],
+    [&](const Cell& cell)
+    {
+      const auto begin = cell.Vertices.begin();
+      const auto other = static_cast<int>(std::find(begin, begin + cell.Size, ends[1]) - begin);
+      for (int i = cell.IsOct() ? 2 : 1; other < cell.Size && i < cell.Size; ++i)
+      {
+        i != other && (!cell.IsOct() || i != (other ^ 1))
+          ? AddOnce(this->FindAt(frame, cell.Vertices[i]), row)
+          : void();
+      }
+    });
+}
+
+template <typename Id>
+bool TetOctLattice<Id>::AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const
+{
+  const Rule rule = this->GetRule(vertex);
+  if (rule == Rule::Solid)
+  {
+    star.Add(vertex, vertex.Double());
+  }
+  else
+  {
+    const bool isKnown = this->Curved.AddStar(vertex, star);
+    if (!isKnown || rule != Rule::Blend)
+    {
+      return isKnown && (vertex.Dimension > 0 || GrowStar(*this, this->Curved, star));
+    }
   }
   this->ForRing(vertex,
     [&](const Frame& frame, const Point& own, const Point& other)
     {
       const LatticeVertex<Id> member = this->FindAt(frame, other);
-      if (std::find(items.begin(), items.end(), member) == items.end())
+      if (std::find(star.Items.begin(), star.Items.end(), member) == star.Items.end())
       {
-        items.push_back(member);
-        next.push_back(this->FindAt({ frame.Solid, 2 * frame.Size }, Add(own, other)));
+        star.Add(member, this->FindAt({ frame.Solid, 2 * frame.Size }, Add(own, other)));
       }
     });
-  return SolveLatticeLimit(*this, items, next, weights);
+  return vertex.Dimension > 0 || GrowStar(*this, this->Curved, star);
 }
 
 template <typename Id>
 bool TetOctLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
-  if (vertex.Dimension < 3 && this->Curved.GetRule(vertex) != Rule::Solid)
+  const Rule rule = this->GetRule(vertex);
+  if (vertex.Dimension > 0 && rule != Rule::Solid && rule != Rule::Blend)
   {
     return this->Curved.ReadLimit(vertex, row);
   }
   Neighbourhood key{ vertex.Dimension }; // all vertices inside solids have the same weights
   vertex.Dimension < 3 ? AppendId(vertex.Simplex, key) : void();
   const std::vector<double>* weights = this->Limits.Find(
-    key, [&](std::vector<double>& solved) { return this->SolveLimit(vertex, solved); });
-  if (!weights)
+    key, [&](std::vector<double>& solved) { return SolveLatticeLimit(*this, vertex, solved); });
+  LatticeStar<Id> star;
+  if (!weights || !this->AddStar(vertex, star))
   {
     return false;
   }
   row.Clear();
-  row.Add(vertex, weights->front());
-  this->ForRing(vertex,
-    [&](const Frame& frame, const Point&, const Point& other)
-    {
-      const LatticeVertex<Id> member = this->FindAt(frame, other);
-      if (std::find(row.Vertices.begin(), row.Vertices.end(), member) == row.Vertices.end())
-      {
-        row.Add(member, (*weights)[row.Weights.size()]);
-      }
-    });
+  for (std::size_t i = 0; i < weights->size(); ++i)
+  {
+    (*weights)[i] != 0. ? row.Add(star.Items[i], (*weights)[i]) : void();
+  }
   return true;
 }
 

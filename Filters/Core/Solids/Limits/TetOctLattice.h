@@ -34,12 +34,13 @@ class TetOctLattice
 public:
   using LevelRow = LatticeRow<Id>;
 
-  /// All must outlive this. `level` was made with Depth::ForRefinement, or is the control level.
-  TetOctLattice(
-    const TetOctLevel<Id>& level, const Rows<Id>& solidsAtVertices, const SharpSimplices<Id>& sharp)
+  /// All must outlive this. `level` and `strata` are as for BoxSplineLattice.
+  TetOctLattice(const TetOctLevel<Id>& level, const subdivision::Strata<Id>& strata,
+    const Rows<Id>& solidsAtVertices)
     : Here(level)
+    , Strata(strata)
     , SolidsAt(solidsAtVertices)
-    , Curved(level, sharp)
+    , Curved(level, strata)
   {
   }
 
@@ -49,6 +50,7 @@ public:
 
   bool ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
+  bool AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const;
 
 private:
   using Point = std::array<long long, 3>;
@@ -67,6 +69,23 @@ private:
     bool IsOct() const { return this->Size == 6; }
   };
 
+  Rule GetRule(const LatticeVertex<Id>& vertex) const
+  {
+    return vertex.Dimension == 3 ? Rule::Solid : this->Curved.GetRule(vertex);
+  }
+  /// How far the corners of a control solid are away from each other.
+  long long GetSize(const LatticeVertex<Id>& vertex) const
+  {
+    const LatticeWeights& weights = vertex.Weights;
+    return vertex.Dimension == 3 && this->IsOct(vertex.Simplex)
+      ? weights[3]
+      : weights[0] + weights[1] + weights[2] + weights[3];
+  }
+  /// Vertices have an even sum in tetrahedra, and in octahedra one like the size.
+  bool IsVertex(const Frame& frame, const Point& at) const
+  {
+    return (at[0] + at[1] + at[2] - (this->IsOct(frame.Solid) ? frame.Size : 0)) % 2 == 0;
+  }
   bool IsOct(Id solid) const { return solid >= this->Here.Complex.NumberOfTets; }
   const Id* GetCorners(Id solid, int& size) const;
   Point Place(const LatticeVertex<Id>& vertex, Id solid) const;
@@ -82,14 +101,19 @@ private:
   void AddRegularVertex(const Frame& frame, const Point& at, LatticeRow<Id>& row) const;
   void AddRegularEdge(const Frame& frame, const Point& first, const Point& second, int third,
     LatticeRow<Id>& row) const;
+  std::array<Point, 2> FindEnds(const Frame& frame, const Point& at) const;
   int AddShares(const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const;
   template <typename Act>
   void ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
-  bool SolveLimit(const LatticeVertex<Id>& vertex, std::vector<double>& weights) const;
+  bool ReadBlend(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  void AddSpokes(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
+  void AddNeighbours(const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const;
+  void AddNeighboursOfEdge(const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const;
 
   const TetOctLevel<Id>& Here;
+  const subdivision::Strata<Id>& Strata;
   const Rows<Id>& SolidsAt;
-  BoxSplineLattice<Id> Curved; ///< knows vertices of tetrahedra, and rules with d < 3
+  BoxSplineLattice<Id> Curved; ///< knows vertices of tetrahedra, and what lies not in solids
   LatticeLimits Limits;
 };
 

@@ -156,49 +156,6 @@ void ExpectUniformLimitsOfTheZoo()
   }
 }
 
-/// Limits on curves and surfaces only, without what lies inside solids.
-template <typename LevelType>
-void ExpectUniformLimitsOfCurvedParts()
-{
-  std::mt19937 random(6);
-  for (const Mesh& mesh : MakeZooAndRandom())
-  {
-    for (const char* options : OptionNames)
-    {
-      SCOPED_TRACE(mesh.Name + " " + options);
-      const auto levels = MakeLevels<LevelType>(mesh, options, 2);
-      const auto isCurved = [](Stratum stratum)
-      { return stratum.GetRule() != Rule::Solid && stratum.GetRule() != Rule::RegularEdge; };
-      const int given = levels[0].Complex.NumberOfVertices;
-      const std::vector<double> values = MakeValues(2 * given, 3);
-      const auto all = SubdivideValues(levels, values);
-      const auto uniform = ApplyTo(BuildLimitRows(levels.back()), all.back(), 2);
-      const unsigned int rarely = 1 + random() % 4;
-      const Asked asked = Ask(levels,
-        [&](int level, int edge)
-        {
-          return edge < levels[level].Complex.NumberOfEdges &&
-            isCurved(levels[level].Strata.Edges[edge]) && random() % rarely == 0;
-        });
-      Buffer<unsigned char> wanted(static_cast<vtkIdType>(asked.Uniform.size()), 1);
-      for (int v = 0; v < given; ++v)
-      {
-        wanted[v] = isCurved(levels[0].Strata.Vertices[v]);
-      }
-      const LocalLimit<int> local(levels[0], {}, asked.Ends, wanted, 1, nullptr, true);
-      std::vector<double> limits(2 * asked.Uniform.size());
-      local.Apply(values.data(), limits.data(), 2);
-      for (std::size_t i = 0; i < limits.size(); ++i)
-      {
-        if (wanted[static_cast<vtkIdType>(i / 2)])
-        {
-          ASSERT_NEAR(limits[i], uniform[2 * asked.Uniform[i / 2] + i % 2], 1e-13) << i / 2;
-        }
-      }
-    }
-  }
-}
-
 /// Twelve steps of nothing but the cells at a vertex: its value comes to its limit, and what the
 /// rows of the last level say of it is what those of the first said. `most`: vertices at the end.
 template <typename LevelType>
@@ -222,8 +179,7 @@ void ExpectLimitsAfterTwelveSteps(int most, double shrinks)
       {
         Buffer<unsigned char> at(level.Complex.NumberOfVertices, 0);
         at[vertex] = 1;
-        const CurvedParts<LevelType> all;
-        const Restriction<LevelType> restriction(level, at, all);
+        const Restriction<LevelType> restriction(level, at);
         const LevelType part = restriction.Restrict();
         std::vector<double> kept;
         for (int old : restriction.GetOldVertices())
@@ -251,12 +207,6 @@ TEST(LocalLimit, EqualsTheUniformRefinementOnTheWholeZoo)
 TEST(LocalLimit, EqualsTheUniformRefinementOfTheTetOctScheme)
 {
   ExpectUniformLimitsOfTheZoo<TetOctLevel<int>>();
-}
-
-TEST(LocalLimit, CurvesAndSurfacesNeedNothingInsideSolids)
-{
-  ExpectUniformLimitsOfCurvedParts<Level<int>>();
-  ExpectUniformLimitsOfCurvedParts<TetOctLevel<int>>();
 }
 
 /// Red-green refinement with every cell marked, level by level, is the uniform refinement.

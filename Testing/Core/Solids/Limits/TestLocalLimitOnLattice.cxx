@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits from a lattice against those from levels, the reference: the same but for rounding.
 #include "LimitTools.h"
+#include "TetOctTools.h"
 
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/RedGreen/RedGreen.h"
 
-using namespace coretest;
+using namespace tetoct_tools;
 
 namespace
 {
@@ -41,11 +42,6 @@ Ends RefineByChance(const Mesh& mesh, int levels, int whole, std::mt19937& rando
     ends.push_back(state.GetEnds(v));
   }
   return ends;
-}
-
-vtkIdType CountFlags(const Buffer<unsigned char>& flags)
-{
-  return std::count(flags.begin(), flags.end(), 1);
 }
 
 template <typename Id>
@@ -89,17 +85,37 @@ void ExpectNear(const LocalLimit<Id>& onLattice, const LocalLimit<Id>& onLevels)
   }
 }
 
-/// From a lattice; what it does not know, which `others` receives, from levels.
-template <typename Id>
-LocalLimit<Id> MakeOnBoth(const Level<Id>& control, const SemiSharpStages<Id>& creases,
-  const std::vector<std::array<Id, 2>>& ends, Buffer<unsigned char>& others)
+/// The tetrahedra of a level, and its octahedra in four pieces around a diagonal.
+Mesh CutToTets(const TetOctLevel<int>& level)
 {
-  auto limit = LocalLimit<Id>::MakeOnLattice(control, creases, ends, {}, others);
-  if (CountFlags(others) > 0)
+  Mesh mesh;
+  mesh.Cells.NumberOfPoints = level.Complex.NumberOfVertices;
+  auto& corners = mesh.Cells.Connectivity;
+  corners.assign(level.Complex.TetVertices.begin(), level.Complex.TetVertices.end());
+  for (int oct = 0; oct < level.NumberOfOctahedra; ++oct)
   {
-    limit.Append(LocalLimit<Id>(control, creases, ends, others));
+    const int* v = level.OctVertices.data() + 6 * oct;
+    const int first = oct % 3;
+    const int others[2] = { (first + 1) % 3, (first + 2) % 3 };
+    for (int piece = 0; piece < 4; ++piece)
+    {
+      corners.insert(corners.end(),
+        { v[2 * first], v[2 * others[0] + piece % 2], v[2 * first + 1],
+          v[2 * others[1] + piece / 2] });
+    }
   }
-  return limit;
+  mesh.Cells.Dimensions.assign(corners.size() / 4, 3);
+  return mesh;
+}
+
+/// On the lattice and on levels.
+template <typename LevelType>
+void ExpectNearOnBoth(const LevelType& level,
+  const SemiSharpStages<typename LevelType::IdType>& creases,
+  const std::vector<std::array<typename LevelType::IdType, 2>>& ends)
+{
+  using Limit = LocalLimit<typename LevelType::IdType>;
+  ExpectNear(Limit::MakeOnLattice(level, creases, ends), Limit(level, creases, ends));
 }
 
 /// Vertices once more on later levels, named by equal ends.
@@ -120,44 +136,50 @@ void ExpectNearOnLaterLevels()
     {
       ends.push_back({ i, i });
     }
-    Buffer<unsigned char> others;
-    const auto onLattice = LocalLimit<Id>::MakeOnLattice(control.Level, {}, ends, {}, others);
-    ASSERT_EQ(CountFlags(others), 0);
-    ExpectNear(onLattice, LocalLimit<Id>(control.Level, {}, ends));
+    ExpectNearOnBoth<Level<Id>>(control.Level, {}, ends);
   }
 }
 
 }
 
-/// On a lattice all is known but what is beside a sharp joint.
+/// By both schemes, with all rules.
 TEST(LocalLimitOnLattice, HasTheRowsOfLevels)
 {
-  static const std::set<std::string> partly = { "Sharp", "Regional" };
   std::mt19937 random(5);
-  int known = 0;
-  int partlyKnown = 0;
   for (const Mesh& mesh : MakeZooAndRandom())
   {
     for (const std::string options : OptionNames)
     {
       SCOPED_TRACE(mesh.Name + " " + options);
-      const auto control = BuildNamed<int>(mesh, options);
       const int whole = mesh.Cells.GetNumberOfSimplices() > 30 ? 1 : 2;
       const Ends ends = RefineByChance(mesh, 5, whole, random);
-      Buffer<unsigned char> others;
-      const auto limit = MakeOnBoth<int>(control.Level, {}, ends, others);
-      const bool knowsAll = CountFlags(others) == 0;
-      EXPECT_TRUE(knowsAll || partly.count(options) > 0);
-      (knowsAll ? known : partlyKnown) += CountFlags(others) < others.size() ? 1 : 0;
-      ExpectNear(limit, LocalLimit<int>(control.Level, {}, ends));
+      ExpectNearOnBoth<Level<int>>(BuildNamed<int>(mesh, options).Level, {}, ends);
+      const TetOctLevel<int> tetOct =
+        MakeTetOctLevel(std::move(BuildNamed<int>(mesh, options).Level));
+      ExpectNearOnBoth(tetOct, {}, ends);
       if (testing::Test::HasFatalFailure())
       {
         return;
       }
     }
   }
-  EXPECT_GT(known, 500);
-  EXPECT_GT(partlyKnown, 10);
+}
+
+/// Pieces of the octahedra of a level that was made as a whole.
+TEST(LocalLimitOnLattice, HasTheRowsOfOctahedra)
+{
+  std::mt19937 random(7);
+  for (const char* name : { "Tet", "TwoTets", "EverythingAtOnce" })
+  {
+    for (const char* options : { "Blend", "Sharp", "Follow2" })
+    {
+      SCOPED_TRACE(std::string(name) + " " + options);
+      const TetOctLevel<int> level =
+        Refine(MakeTetOctLevel(std::move(BuildNamed<int>(FindInZoo(name), options).Level)),
+          Depth::ForRefinement);
+      ExpectNearOnBoth(level, {}, RefineByChance(CutToTets(level), 4, 1, random));
+    }
+  }
 }
 
 /// The same vertices of a solid on five levels, some of them wanted.
@@ -173,40 +195,30 @@ TEST(LocalLimitOnLattice, OnlyWhatIsWanted)
   {
     wanted[i] = 1;
   }
-  Buffer<unsigned char> others;
-  const auto onLattice = LocalLimit<int>::MakeOnLattice(control.Level, {}, ends, wanted, others);
-  ASSERT_EQ(CountFlags(others), 0);
+  const auto onLattice = LocalLimit<int>::MakeOnLattice(control.Level, {}, ends, wanted);
   const LocalLimit<int> onLevels(control.Level, {}, ends, wanted);
   ExpectNear(onLattice, onLevels);
   EXPECT_EQ(onLattice.GetNumberOfLevels(), 6);
   EXPECT_EQ(CountSupportValues(onLattice), CountSupportValues(onLevels));
 }
 
-/// Limits beside what is semi-sharp come from levels, all others from the lattice.
 TEST(LocalLimitOnLattice, SemiSharpCreases)
 {
   std::mt19937 random(6);
-  int partlyKnown = 0;
   for (const Mesh& mesh : MakeZooAndRandom())
   {
     for (const char* options : { "Blend", "Regional", "ModifiedBoundary" })
     {
       SCOPED_TRACE(mesh.Name + " " + options);
       const SemiSharpMesh sharp(mesh, options, 3);
-      const auto level = sharp.MakeSmoothLevel(0);
-      const auto creases = sharp.MakeStages(0);
       const Ends ends = RefineByChance(mesh, 3, 1, random);
-      Buffer<unsigned char> others;
-      const auto limit = MakeOnBoth<int>(level, creases, ends, others);
-      partlyKnown += CountFlags(others) > 0 && CountFlags(others) < others.size() ? 1 : 0;
-      ExpectNear(limit, LocalLimit<int>(level, creases, ends));
+      ExpectNearOnBoth(sharp.MakeSmoothLevel(0), sharp.MakeStages(0), ends);
       if (testing::Test::HasFatalFailure())
       {
         return;
       }
     }
   }
-  EXPECT_GT(partlyKnown, 10);
 }
 
 TEST(LocalLimitOnLattice, VerticesOnLaterLevels)
@@ -215,19 +227,14 @@ TEST(LocalLimitOnLattice, VerticesOnLaterLevels)
   ExpectNearOnLaterLevels<long long>();
 }
 
-/// What lies in no simplex is left to levels, which say what is wrong.
-TEST(LocalLimitOnLattice, EndsInNoSimplex)
+TEST(LocalLimitOnLattice, EndsInNoCell)
 {
   const auto line = Build<int>(FindInZoo("OpenPolyline").Cells);
-  const auto isMade = [&line](const Ends& ends)
-  {
-    Buffer<unsigned char> others;
-    LocalLimit<int>::MakeOnLattice(line.Level, {}, ends, {}, others);
-    return CountFlags(others) == 0;
-  };
-  EXPECT_TRUE(isMade({ { 0, 1 }, { 5, 0 }, { 1, 0 } }));
-  EXPECT_FALSE(isMade({ { 0, 2 } }));
-  EXPECT_FALSE(isMade({ { 0, 5 } }));
-  EXPECT_FALSE(isMade({ { -1, 1 } }));
-  EXPECT_FALSE(isMade({ { 0, 1 }, { 5, 2 } }));
+  const auto make = [&line](const Ends& ends)
+  { LocalLimit<int>::MakeOnLattice(line.Level, {}, ends); };
+  EXPECT_NO_THROW(make({ { 0, 1 }, { 5, 0 }, { 1, 0 } }));
+  EXPECT_THROW(make({ { 0, 2 } }), std::invalid_argument);
+  EXPECT_THROW(make({ { 0, 5 } }), std::invalid_argument);
+  EXPECT_THROW(make({ { -1, 1 } }), std::invalid_argument);
+  EXPECT_THROW(make({ { 0, 1 }, { 5, 2 } }), std::invalid_argument);
 }

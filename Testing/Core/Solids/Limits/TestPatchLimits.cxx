@@ -5,6 +5,7 @@
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Limits/LatticeNames.h"
+#include "Core/Solids/Limits/LatticePlaces.h"
 #include "Core/Solids/Limits/LatticeValues.h"
 #include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PatchTree.h"
@@ -53,33 +54,26 @@ public:
       }
     }
   }
-  /// The same of values on a lattice, which know joints too.
+  /// The same of values on a lattice, which know all rules.
   void CompareOnLattice(std::size_t mostKept)
   {
     const int size = this->Components;
     const std::vector<double> values = this->MakeControlValues();
     const std::vector<double> expected = this->FindExpected(values);
-    LatticeValues<int> lattice(this->Control, size);
+    const SemiSharpStages<int> noCreases;
+    const LevelLattices<Level<int>> lattices(this->Control, noCreases);
+    LatticeValues<Level<int>> lattice(lattices, size);
+    LatticePlaces<int> places(this->Control);
+    ASSERT_TRUE(places.Find(this->Names.GetMidpoints()));
     std::vector<double> found(size);
-    const auto compare = [&](int dimension, const Place& place)
+    for (int v = 0; v < places.GetNumberOfVertices(); ++v)
     {
       lattice.GetSize() > mostKept ? lattice.Clear() : void();
-      lattice.FindLimit(
-        dimension, place.Simplex.Number, place.Weights, values.data(), found.data());
-      this->Known += std::isnan(found[0]) ? 0 : 1;
-      for (int c = 0; c < size && !std::isnan(found[0]); ++c)
+      lattice.FindLimit(places.GetVertex(v), places.GetLevel(v), values.data(), found.data());
+      for (int c = 0; c < size; ++c)
       {
-        ASSERT_NEAR(found[c], expected[size * place.Vertex + c], 1e-12);
+        ASSERT_NEAR(found[c], expected[size * v + c], 1e-12);
       }
-    };
-    for (const Place& place : this->Places)
-    {
-      compare(place.Simplex.Corners[2] < 0 ? 1 : 2, place);
-    }
-    for (int v = 0; v < this->Control.Complex.NumberOfVertices; ++v)
-    {
-      this->Places.push_back({ { { { v, -1, -1 } }, v }, { { 1., 0., 0. } }, v });
-      compare(0, this->Places.back());
     }
   }
   int GetSize() const { return static_cast<int>(this->Places.size()); }
@@ -152,7 +146,7 @@ private:
   std::vector<Place> Places;
 };
 
-/// Calls check(case, name of the options) for each mesh with each of the options.
+/// Calls check(case) for each mesh with each of the options.
 template <typename Check>
 void ForCasesInZoo(const Check& check)
 {
@@ -165,7 +159,7 @@ void ForCasesInZoo(const Check& check)
       const Level<int> level = std::move(BuildNamed<int>(mesh, options).Level);
       PatchCase which(level, 2 + static_cast<int>(seed % 2), seed);
       ++seed;
-      check(which, options);
+      check(which);
       if (testing::Test::HasFatalFailure())
       {
         return;
@@ -181,7 +175,7 @@ void ExpectSomeKnownInZoo(const Compare& compare)
   int known = 0;
   int all = 0;
   ForCasesInZoo(
-    [&](PatchCase& which, const char*)
+    [&](PatchCase& which)
     {
       compare(which);
       known += which.Known;
@@ -215,36 +209,8 @@ TEST(PatchLimits, HaveNoNumberWhereThereIsNone)
   EXPECT_TRUE(std::isnan(limit));
 }
 
-/// On a lattice all limits are known, but not beside joints that are sharp, and where the rule of
-/// an edge is not that of what it meets.
 TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
 {
-  const std::set<std::string> partly = { "Sharp", "Regional" };
   unsigned int seed = 1;
-  ForCasesInZoo(
-    [&](PatchCase& which, const char* options)
-    {
-      which.CompareOnLattice(++seed % 3 == 0 ? 50 : 100000);
-      const int all = which.GetSize();
-      EXPECT_GE(which.Known, partly.count(options) > 0 ? all / 2 : all);
-    });
-}
-
-/// A place that is on no level, or in no simplex, has no limit.
-TEST(LatticeValues, HaveNoNumberWhereThereIsNone)
-{
-  const Level<int> level = std::move(BuildNamed<int>(FindInZoo("SingleTriangle"), "Blend").Level);
-  LatticeValues<int> lattice(level, 1);
-  const double values[3] = { 2., 2., 2. };
-  const auto find = [&](const std::array<double, 3>& at)
-  {
-    double limit = 0.;
-    lattice.FindLimit(2, 0, at, values, &limit);
-    return limit;
-  };
-  EXPECT_NEAR(find({ { 0.25, 0.25, 0.5 } }), 2., 1e-13);
-  EXPECT_TRUE(std::isnan(find({ { 1. / 3., 1. / 3., 1. / 3. } })));
-  EXPECT_TRUE(std::isnan(find({ { 0.5, 0.25, 0.5 } })));
-  EXPECT_TRUE(std::isnan(find({ { 1.5, -0.5, 0. } })));
-  EXPECT_TRUE(std::isnan(find({ { std::nan(""), 0.5, 0.5 } })));
+  ForCasesInZoo([&](PatchCase& which) { which.CompareOnLattice(++seed % 3 == 0 ? 50 : 100000); });
 }
