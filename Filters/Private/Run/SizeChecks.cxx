@@ -129,10 +129,10 @@ std::string CheckMemory(const SizeEstimate& estimate)
   if (estimate.Projects)
   {
     // Limit rows need the last level in the depth for one more step, and a row of all neighbours
-    // for each point.
+    // for each point, of which some stand twice while blocks are joined.
     last = estimate.Levels > 0 ? last.Refine() : last;
     bytes += estimate.BytesPerId * (19. * last.Tets + 12. * last.Faces + 24. * last.Edges) +
-      (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
+      1.7 * (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
       estimate.BytesPerPoint * points;
     bytes += estimate.BytesPerId * last.Scheme->CountMoreIds(last);
     if (estimate.Frames > 0)

@@ -4,6 +4,8 @@
 #include "Core/Memory/CellSplits.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
+#include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 
@@ -16,8 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -50,6 +55,59 @@ bool IsClosed(const SurfaceCells& cells)
     }
   }
   return sum == 0;
+}
+
+/// At most so many vertices of the level before the last have an irregular one beside them, where
+/// all edges are smooth. Infinity: faces have other orientations than their neighbours.
+double CountIrregular(const SurfaceCells& cells, bool hasTriangles, int levels)
+{
+  std::vector<vtkIdType> faces(static_cast<std::size_t>(cells.NumberOfPoints)); // at each point
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  edges.reserve(cells.Corners.size());
+  double irregular = 0.;
+  for (const auto face : InTurn(cells.GetNumberOfFaces()))
+  {
+    const vtkIdType begin = cells.FaceOffsets[face];
+    const vtkIdType end = cells.FaceOffsets[face + 1];
+    irregular += hasTriangles || end - begin == 4 ? 0. : 1. + static_cast<double>(end - begin);
+    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
+    {
+      edges.emplace_back(cells.Corners[last], cells.Corners[i]);
+      ++faces[cells.Corners[i]];
+    }
+  }
+  const vtkIdType regular = hasTriangles ? 6 : 4;
+  for (const auto size : InTurn(faces))
+  {
+    irregular += size == 0 || size == regular ? 0. : 1. + static_cast<double>(size);
+  }
+  StableSort(edges, std::less<>());
+  double open = 0.;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const auto [a, b] = edges[i];
+    if (i > 0 && edges[i - 1] == edges[i])
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    open += std::binary_search(edges.begin(), edges.end(), std::make_pair(b, a)) ? 0. : 1.;
+  }
+  return irregular + std::ldexp(3. * open, levels - 1);
+}
+
+/// Whether the last level is not made for limits; if in doubt it is.
+bool SkipsLast(
+  const SurfaceCells& cells, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
+{
+  if (options.Levels == 0 || options.Places || options.Others || HasFlags(options.Features) ||
+    !cells.Segments.empty())
+  {
+    return false;
+  }
+  const auto corners = static_cast<double>(cells.Corners.size());
+  const auto faces = static_cast<double>(cells.GetNumberOfFaces());
+  return CountIrregular(cells, scheme.NeedsTriangles(), options.Levels) <= MostIrregularVertices *
+    scheme.GetFaceMemory().Points * scheme.CountFaces(faces, corners, options.Levels - 1);
 }
 
 /// The size of the output.
@@ -90,10 +148,12 @@ double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
   const bool readsLimits = options.ReadsLimit();
   const bool isSmooth =
     (scheme.IsDual() || !HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
-  const double beside = options.HasFrames() ? ofFace.Frames
-    : readsLimits                           ? ofFace.Limits
-    : isSmooth                              ? ofFace.Smooth
-                                            : ofFace.Sharp;
+  const double ofNext = options.HasFrames() ? ofFace.FramesOfNext : ofFace.LimitsOfNext;
+  const double beside = readsLimits && ofNext > 0. && SkipsLast(cells, scheme, options) ? ofNext
+    : options.HasFrames() ? ofFace.Frames
+    : readsLimits         ? ofFace.Limits
+    : isSmooth            ? ofFace.Smooth
+                          : ofFace.Sharp;
   const double items = size.Faces + size.Lines;
   const double data = GetBytesPerTuple(input->GetPointData());
   const double frames =

@@ -35,7 +35,7 @@ class ButterflyScheme : public PrimalScheme<Id, 3>
 public:
   bool HasCornersOfOneFace() const override { return true; }
   DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
-  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 90., 120. }; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 90., 120., 26. }; }
   /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
   /// faces, otherwise 0.
   void Prepare(SurfaceLevel<Id>& level) const override;

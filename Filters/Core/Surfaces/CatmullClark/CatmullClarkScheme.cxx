@@ -25,7 +25,7 @@ public:
   {
   }
   bool HasCornersOfOneFace() const override { return true; }
-  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 36., 118., 198. }; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 36., 118., 198., 36., 157. }; }
   double GetThirdEigenvalue(int k, double angle) const override
   {
     const double c = std::cos(Pi / k);

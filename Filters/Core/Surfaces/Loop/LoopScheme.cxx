@@ -27,7 +27,7 @@ public:
   {
   }
   bool BlendsJoints() const override { return true; }
-  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 88., 118. }; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 88., 118., 26., 100. }; }
   double GetThirdEigenvalue(int k, double angle) const override
   {
     return GetThirdEigenvalueOfTriangles(k, angle);

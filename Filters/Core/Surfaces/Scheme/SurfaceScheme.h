@@ -162,6 +162,9 @@ struct FaceMemory
   double Sharp;
   double Limits; ///< where the points are projected
   double Frames; ///< and with normals and tangents
+  // The same where the last level is not made (HasLimitsOfNext); 0: it is made.
+  double LimitsOfNext = 0.;
+  double FramesOfNext = 0.;
 };
 
 /// Where ids are written, of either type.
