@@ -18,6 +18,7 @@ sys.path.insert(0, str(here.parent / "Plugin"))
 import options  # noqa: E402
 
 MARK = "<!-- properties -->\n"
+OTHERS = "Further properties"  # of no group
 COMMON = "CommonProperties.md"
 
 
@@ -50,24 +51,23 @@ def read_groups(paths):
 
 
 def find_common(filters, groups):
-    """Group and property by name: of properties in groups the text that most filters have, if two have it. The groups of most
-    filters come first."""
+    """Group and property by name: the text that most filters have, if two have it, or three where no panel has a group for it.
+    The groups of most filters come first."""
     texts = collections.defaultdict(list)
     for one in filters:
         for option in one.options:
-            if option.name in groups[one.name]:
-                texts[option.name].append((option.label, option.help))
+            texts[option.name].append((option.label, option.help))
     common = {}
     for one in sorted(filters, key=lambda one: -len(one.options)):
         for option in one.options:
-            group = groups[one.name].get(option.name)
+            group = next((found[option.name] for found in groups.values() if option.name in found), OTHERS)
             most = collections.Counter(texts[option.name]).most_common(1)
-            if group and most[0][1] > 1 and most[0][0] == (option.label, option.help):
+            if most[0][1] > (2 if group == OTHERS else 1) and most[0][0] == (option.label, option.help):
                 common.setdefault(option.name, (group, option))
     most = collections.Counter()
     for name, (group, _) in common.items():
         most[group] = max(most[group], len(texts[name]))
-    return dict(sorted(common.items(), key=lambda item: -most[item[1][0]]))
+    return dict(sorted(common.items(), key=lambda item: (item[1][0] == OTHERS, -most[item[1][0]])))
 
 
 def of_page(one, common):
