@@ -148,23 +148,13 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
   const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
                                                    : subdivision::NonLinearRule::Corners;
   const auto readable = subdivision::MakeReadable(input, rule, warnings);
-  if (!readable)
-  {
-    return readable;
-  }
-  return this->MergePoints ? this->MergeIn(readable, warnings) : this->JoinIn(readable, warnings);
+  return this->MergePoints && readable ? this->MergeIn(readable, warnings) : readable;
 }
 
 bool vtkSubdivisionAlgorithm::KeepsCopies() const
 {
-  return this->JoinedSidesJump ||
-    (this->MergePoints && this->MergedValues == KEEP_VALUES && this->CanKeepCopies());
-}
-
-bool vtkSubdivisionAlgorithm::CanKeepCopies() const
-{
-  return !this->HasSeams() && this->HasInterfaces() && this->InterfaceValues == CONTINUOUS_VALUES &&
-    !this->SharesRanks();
+  return this->MergePoints && this->MergedValues == KEEP_VALUES && !this->HasSeams() &&
+    this->HasInterfaces() && this->InterfaceValues == CONTINUOUS_VALUES && !this->SharesRanks();
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
@@ -193,43 +183,6 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
                           "tolerance before the mesh is distributed.");
   }
   return subdivision::MergeCoincidentPoints(readable, options, warnings);
-}
-
-vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::JoinIn(
-  vtkDataObject* readable, std::vector<std::string>& warnings)
-{
-  bool jumps = this->InterfaceValues == DISCONTINUOUS_VALUES;
-  const auto look = [&](vtkDataObject* data, unsigned int) -> vtkSmartPointer<vtkDataObject>
-  {
-    auto* mesh = vtkPointSet::SafeDownCast(data);
-    jumps = jumps ||
-      (mesh &&
-        (mesh->GetPointData()->HasArray(subdivision::MaterialPointIdsName) ||
-          (this->HasSeams() && this->JoinsSeams() && mesh->GetPointData()->GetTCoords())));
-    return data;
-  };
-  subdivision::ChangeMeshes(readable, look);
-  if (!this->JoinSides || !this->CanJoinSides() || this->SharesRanks() || jumps)
-  {
-    return readable;
-  }
-  subdivision::MergeOptions options;
-  options.OfSides = true;
-  options.JoinsBlocks = this->JoinBlocks;
-  options.HasSeams = this->HasSeams();
-  options.HasCopies = this->CanKeepCopies() && this->HasOutput();
-  options.Values = options.HasSeams || options.HasCopies ? subdivision::MergedValues::Keep
-                                                         : subdivision::MergedValues::First;
-  const auto joined = subdivision::MergeCoincidentPoints(readable, options, warnings);
-  subdivision::ChangeMeshes(joined,
-    [&](vtkDataObject* data, unsigned int) -> vtkSmartPointer<vtkDataObject>
-    {
-      auto* mesh = vtkPointSet::SafeDownCast(data);
-      this->JoinedSidesJump = this->JoinedSidesJump ||
-        (mesh && mesh->GetCellData()->HasArray(subdivision::MergedPartsName));
-      return data;
-    });
-  return joined;
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::Mark(
@@ -287,7 +240,6 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
   vtkSmartPointer<vtkDataObject> readable;
   subdivision::PointSources sources;
   bool failed = false;
-  this->JoinedSidesJump = false;
   this->PrepareRun(given);
   vtkInformation* info = outputVector->GetInformationObject(0);
   vtkInformationDoubleKey* const step = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -597,7 +549,6 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
-  os << indent << "JoinSides: " << this->JoinSides << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "MergedValues: " << this->MergedValues << "\n";
   os << indent << "CloseHangingNodes: " << this->CloseHangingNodes << "\n";

@@ -472,24 +472,6 @@ public:
 
   ///@{
   /**
-   * Whether the sides of one surface share points where these have equal coordinates, as the faces
-   * of vtkCubeSource, the caps of vtkCylinderSource and the triangles of STL files do not: a point
-   * becomes another one where an edge at them has two faces then, and no more. The others are not
-   * in the output. Values that differ there jump, as with MergedValues = KEEP_VALUES, or are those
-   * of the first point, with a warning, where a filter cannot keep them; with JoinSeams, which
-   * joins seams of texture coordinates itself, points of different values stay apart. Cracks stay:
-   * points of solids, of sheets that lie on each other, and of edges that would have three faces;
-   * the warning of MergePoints tells of them. Takes a step for each point where no two have equal
-   * coordinates. Without effect on vtkSubdivisionDeformation, and on meshes that ranks share or
-   * whose values jump already. MergePoints joins all of them. On by default.
-   */
-  vtkSetMacro(JoinSides, bool);
-  vtkGetMacro(JoinSides, bool);
-  vtkBooleanMacro(JoinSides, bool);
-  ///@}
-
-  ///@{
-  /**
    * How far points may be apart that MergePoints joins. Where there is a chain of points, each near
    * to the next one, all are joined. All get the least coordinates of any of them, x first. On
    * several ranks it is ignored with a warning. A part of the diagonal of the bounding box of all
@@ -587,8 +569,6 @@ protected:
   /// seams of texture coordinates are seams in any case.
   virtual bool HasSeams() const { return false; }
   virtual bool JoinsSeams() const { return false; }
-  /// Whether JoinSides has an effect.
-  virtual bool CanJoinSides() const { return true; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
   /// Whether an execution is for its output, and not for an operator.
@@ -672,7 +652,6 @@ protected:
   int Type3Rule = TYPE3_BLEND;
   int QuadraticCells = CORNERS;
   bool MergePoints = false;
-  bool JoinSides = true;
   double MergeTolerance = 0.;
   int MergedValues = FIRST_VALUE;
   bool CloseHangingNodes = false;
@@ -682,10 +661,7 @@ protected:
 private:
   /// Whether copies of points keep values that MergePoints finds.
   bool KeepsCopies() const;
-  bool CanKeepCopies() const;
   vtkSmartPointer<vtkDataObject> MergeIn(
-    vtkDataObject* readable, std::vector<std::string>& warnings);
-  vtkSmartPointer<vtkDataObject> JoinIn(
     vtkDataObject* readable, std::vector<std::string>& warnings);
   /// Reads InterpolatePoints and the other options of it.
   void ReadInterpolation(
@@ -694,7 +670,6 @@ private:
   vtkSmartPointer<vtkDataObject> MakeSurfaces(
     vtkDataObject* input, std::vector<std::string>& warnings);
 
-  bool JoinedSidesJump = false;                  ///< in this execution
   std::unique_ptr<subdivision::KeptParts> Kept;  ///< of other ranks
   subdivision::MatrixFactors* Factors = nullptr; ///< where FindOperator wants the operator
   std::unique_ptr<subdivision::ToldWarnings> Told;

@@ -215,6 +215,12 @@ int vtkSubdivisionDeformation::RequestData(
     if (!hasRest && deformed)
     {
       rest = this->MakeCage(vtkDataObject::GetData(inputVector[0]), deformed);
+      if (rest)
+      {
+        warn("RestMesh is missing: the filter takes the cage that vtkSubdivisionCageSource makes "
+             "around the input with its default Margin. Connect RestMesh if DeformedMesh was made "
+             "otherwise.");
+      }
     }
     return true;
   };

@@ -209,8 +209,6 @@ protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;
 
-  bool CanJoinSides() const override { return false; } // both meshes keep their points
-
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /// The output is of the input's type.
   int RequestDataObject(vtkInformation* request, vtkInformationVector** inputVector,

@@ -104,7 +104,7 @@ class Program(unittest.TestCase):
         for name, one in FILTERS.items():
             filter_name = {"subdivide": "multi"}.get(name, name.replace("_", "-"))
             listed = run("--filter", filter_name, "--help").stdout
-            found = {plain(line.split()[0]) for line in listed.splitlines() if line.startswith("  --")}
+            found = {plain(line.split()[0].rstrip(",")) for line in listed.splitlines() if line.startswith("  --")}
             common = found & {plain(f"--{option}") for option in ("filter", "refine", "info", "quiet", "help", "version")}
             self.assertEqual(found - common, {name.replace("_", "") for name in one.options}, name)
 

@@ -4,7 +4,6 @@
 #include "Core/Memory/Sorting.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
-#include "Private/Control/TouchingSides.h"
 #include "Private/Reading/NearPoints.h"
 #include "Private/Reading/PolyhedronFaces.h"
 #include "Private/Reading/ReadableMesh.h"
@@ -49,7 +48,6 @@ public:
   Merger(const std::vector<vtkPointSet*>& meshes, double tolerance, const MergeOptions& options)
     : Meshes(meshes)
     , Options(options)
-    , HasCopies(options.HasCopies)
     , Tolerance(tolerance)
   {
     this->Read();
@@ -67,9 +65,7 @@ private:
 
   void Read();
   void FindGroups();
-  Buffer<vtkIdType> FindFirsts(const std::vector<vtkIdType>& points, const PointOrder& order) const;
   void Divide(const Group& group);
-  void KeepSides();
   std::vector<std::uint64_t> GetKept(vtkIdType point) const;
   void FindReplaced();
   void NumberParts();
@@ -110,7 +106,6 @@ private:
 
   const std::vector<vtkPointSet*>& Meshes;
   const MergeOptions& Options;
-  bool HasCopies;
   double Tolerance;
   std::vector<vtkIdType> Starts; ///< of the points of each mesh among all
   Buffer<double> X;
@@ -175,7 +170,7 @@ void Merger::FindGroups()
     }
   }
   const PointOrder order{ this->GlobalIds.data() };
-  const Buffer<vtkIdType> firsts = this->FindFirsts(points, order);
+  const Buffer<vtkIdType> firsts = FindFirstOfNear(this->X.data(), points, this->Tolerance, order);
   Buffer<unsigned char> isMember(size, 0);
   for (const vtkIdType i : InTurn(firsts.size()))
   {
@@ -201,45 +196,11 @@ void Merger::FindGroups()
   this->Equals = Buffer<vtkIdType>(size);
   CopyInThreads(this->Firsts.data(), size, this->Equals.data());
   this->ForEachGroup([this](const Group& group) { this->Divide(group); });
-  if (this->Options.OfSides && this->HasCopies)
-  {
-    this->KeepSides();
-  }
   this->FindReplaced();
-  if (this->HasCopies)
+  if (this->Options.HasCopies)
   {
     this->NumberParts();
   }
-}
-
-/// The first point of the group of each.
-Buffer<vtkIdType> Merger::FindFirsts(
-  const std::vector<vtkIdType>& points, const PointOrder& order) const
-{
-  if (!this->Options.OfSides)
-  {
-    return FindFirstOfNear(this->X.data(), points, this->Tolerance, order);
-  }
-  Sets sets(this->Stands.size());
-  for (std::size_t m = 0; m < this->Meshes.size(); ++m)
-  {
-    for (const auto& [a, b] : FindTouchingSides(this->Meshes[m]))
-    {
-      sets.Join(this->Starts[m] + a, this->Starts[m] + b);
-    }
-  }
-  Buffer<vtkIdType> least(this->Stands.size(), -1); // of each set
-  for (const vtkIdType point : InTurn(points))
-  {
-    vtkIdType& first = least[sets.Find(point)];
-    first = first < 0 || order(point, first) ? point : first;
-  }
-  Buffer<vtkIdType> firsts(static_cast<vtkIdType>(points.size()));
-  for (const vtkIdType i : InTurn(firsts.size()))
-  {
-    firsts[i] = least[sets.Find(points[static_cast<std::size_t>(i)])];
-  }
-  return firsts;
 }
 
 template <typename Visit>
@@ -253,19 +214,6 @@ void Merger::ForEachGroup(const Visit& visit) const
       first, end, [&](vtkIdType i) { return this->Firsts[i] != this->Firsts[*first]; });
     visit(Group{ first, last });
     first = last;
-  }
-}
-
-/// Where values differ at some place, all sides keep their points, so that values jump between
-/// them.
-void Merger::KeepSides()
-{
-  const auto isEqual = [this](vtkIdType i) { return this->Equals[i] == this->Firsts[i]; };
-  this->HasCopies = !std::all_of(this->Members.begin(), this->Members.end(), isEqual);
-  for (const vtkIdType point : this->Members)
-  {
-    this->Equals[point] = this->HasCopies ? point : this->Equals[point];
-    this->Stands[point] = this->HasCopies ? point : this->Stands[point];
   }
 }
 
@@ -352,7 +300,7 @@ vtkSmartPointer<vtkPointSet> Merger::Merge(std::size_t mesh)
 {
   vtkPointSet* input = this->Meshes[mesh];
   const bool changes = !this->Members.empty();
-  if (!changes && !this->HasCopies)
+  if (!changes && !this->Options.HasCopies)
   {
     return input;
   }
@@ -362,7 +310,7 @@ vtkSmartPointer<vtkPointSet> Merger::Merge(std::size_t mesh)
   this->ChangeArrays(mesh, merged);
   this->ChangeIds(mesh, merged);
   this->AddStands(mesh, merged);
-  if (this->HasCopies)
+  if (this->Options.HasCopies)
   {
     this->AddCopies(mesh, merged);
   }
@@ -588,7 +536,6 @@ vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(
   vtkDataObject* readable, const MergeOptions& options, std::vector<std::string>& warnings)
 {
   std::vector<vtkPointSet*> meshes;
-  bool isAny = false;
   ChangeMeshes(readable,
     [&](vtkDataObject* data, unsigned int) -> vtkSmartPointer<vtkDataObject>
     {
@@ -596,14 +543,9 @@ vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(
       if (mesh && mesh->GetNumberOfPoints() > 0)
       {
         meshes.push_back(mesh);
-        isAny = isAny || !options.OfSides || !FindTouchingSides(mesh).empty();
       }
       return data;
     });
-  if (!isAny)
-  {
-    return readable;
-  }
   const double tolerance = FindTolerance(meshes, options);
   std::map<vtkDataObject*, vtkSmartPointer<vtkPointSet>> merged;
   ReplacedValues replaced;
@@ -633,8 +575,7 @@ vtkSmartPointer<vtkDataObject> MergeCoincidentPoints(
   {
     mergeAll({ meshes[m] });
   }
-  options.OfSides ? DescribeReplacedOfSides(replaced, warnings)
-                  : DescribeReplaced(replaced, options.Values, warnings);
+  DescribeReplaced(replaced, options.Values, warnings);
   DescribeCollapsed(collapsed, first, warnings);
   DescribeTorn(torn, warnings);
   return ChangeMeshes(readable,

@@ -35,9 +35,6 @@ struct MergeOptions
   bool KeepsTexture = false;
   /// Whether values are kept as copies of points between which they jump (MaterialFields.h).
   bool HasCopies = false;
-  /// Whether points become one only where sides of a surface touch (TouchingSides.h). Copies are
-  /// made only where values differ.
-  bool OfSides = false;
 };
 
 /**

@@ -85,19 +85,6 @@ void DescribeReplaced(
   }
 }
 
-void DescribeReplacedOfSides(const ReplacedValues& replaced, std::vector<std::string>& warnings)
-{
-  const std::string values = ListReplaced(replaced, false);
-  const std::string texture = ListReplaced(replaced, true);
-  if (!replaced.empty())
-  {
-    warnings.push_back("JoinSides: sides that touch differ in " + values +
-      (values.empty() || texture.empty() ? "" : ", ") + texture +
-      ". With these options the filter keeps the first value there, and leaves out texture "
-      "coordinates. Switch JoinSides off to keep the sides apart.");
-  }
-}
-
 void DescribeCollapsed(vtkIdType cells, vtkIdType first, std::vector<std::string>& warnings)
 {
   if (cells > 0)

@@ -50,8 +50,6 @@ using ReplacedValues = std::map<std::string, Replaced>;
 /// Warns of values that are replaced by values of the first point, and of texture coordinates.
 void DescribeReplaced(
   const ReplacedValues& replaced, MergedValues rule, std::vector<std::string>& warnings);
-/// The same where sides of a surface are joined by JoinSides.
-void DescribeReplacedOfSides(const ReplacedValues& replaced, std::vector<std::string>& warnings);
 /// Warns of cells with points that become one, and of points of one part that keep no values.
 void DescribeCollapsed(vtkIdType cells, vtkIdType first, std::vector<std::string>& warnings);
 void DescribeTorn(vtkIdType torn, std::vector<std::string>& warnings);

@@ -25,7 +25,6 @@ std::vector<std::string> Tell(
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(input);
-  filter->JoinSidesOff();
   if (configure)
   {
     configure(filter);

@@ -205,7 +205,12 @@ TEST(SubdivisionDeformationInputs, WithoutARestMeshItIsTheCageAround)
     }
     vtkNew<vtkSubdivisionDeformation> filter;
     filter->SetDeformedMeshData(moved);
-    UpdateInSilence(filter, cloud);
+    vtkNew<Messages> told;
+    told->Watch(filter);
+    filter->SetInputData(cloud);
+    filter->Update();
+    ASSERT_EQ(told->Warnings.size(), 1u);
+    EXPECT_NE(told->Warnings[0].find("default Margin"), std::string::npos);
     EXPECT_EQ(filter->GetNumberOfOutsidePoints(), 0);
     auto* output = vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0));
     EXPECT_LT(GetLargestError(output, cloud, move), 1e-12);
