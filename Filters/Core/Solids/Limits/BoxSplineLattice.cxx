@@ -30,8 +30,8 @@ LatticeWeights With(LatticeWeights weights, int corner)
   ++weights[corner];
   return weights;
 }
-/// Along the diagonal of a tetrahedron: from the ends of the marked edge without a corner to those
-/// of the other one.
+/// Along the diagonal of a tetrahedron: from the ends of the marked edge without a corner to the
+/// ends of the other one.
 LatticeWeights MoveToPair(LatticeWeights weights, int corner)
 {
   const int pair = corner % 2;

@@ -14,7 +14,7 @@
 namespace subdivision
 {
 
-/// The weights of each corner of a part; those of the simplex itself have a single 1.
+/// The weights of each corner of a part; the corners of the simplex itself have a single 1.
 using LatticeCorners = std::array<LatticeWeights, 4>;
 
 /// A sum of the corners of a part, each as often as the factors say.
@@ -32,7 +32,7 @@ inline LatticeWeights CombineCorners(
   return weights;
 }
 
-/// Goes from the corners of a part to those of a child, which are on the next level.
+/// Goes from the corners of a part to the corners of a child, which are on the next level.
 inline void GoToChild(int dimension, int child, LatticeCorners& corners)
 {
   const LatticeCorners before = corners;

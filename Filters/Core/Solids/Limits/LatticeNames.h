@@ -57,8 +57,7 @@ std::array<Id, 4> GetCornersOfChild(
   return ofChild;
 }
 
-/// The vertex at a node of the polynomial over a simplex: all are those of the level after the
-/// next.
+/// The vertex at a node of the polynomial over a simplex: all belong to the level after the next.
 template <typename Id>
 Id FindNode(const std::array<Id, 4>& corners, const PlaceNode& node, VertexNames<Id>& names)
 {

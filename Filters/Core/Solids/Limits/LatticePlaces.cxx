@@ -134,7 +134,7 @@ void LatticePlaces<Id>::FindSimplices()
   this->OctVertices ? this->FindPieces() : void();
 }
 
-/// Finds those with a diagonal of an octahedron among their corners.
+/// Finds the vertices with a diagonal of an octahedron among their corners.
 template <typename Id>
 void LatticePlaces<Id>::FindPieces()
 {

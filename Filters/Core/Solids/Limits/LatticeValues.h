@@ -3,7 +3,7 @@
  * @file LatticeValues.h
  * Limits of values at vertices of any level without making one: the value at a vertex is a sum of
  * values on the level before (SharpLattice.h). Each value is found once, so that neighbouring
- * vertices, and those of later rounds of a refinement, share nearly all.
+ * vertices, and vertices of later rounds of a refinement, share nearly all.
  */
 #ifndef SubdivisionObjects_LatticeValues_h
 #define SubdivisionObjects_LatticeValues_h

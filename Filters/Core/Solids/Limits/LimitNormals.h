@@ -8,7 +8,7 @@
  * a boundary or crease has one or two sectors, each from one sharp edge to the next. The tangents
  * of a sector of k triangles are p_0 - p_k along the curve, and one across it with the weights
  * sin(pi j/k) of p_1 to p_k-1; the weights of p_0, p_k and the vertex make it a left eigenvector
- * for the eigenvalue 3/8 + 1/4 cos(pi/k). The normal of a vertex is the mean of those of its
+ * for the eigenvalue 3/8 + 1/4 cos(pi/k). The normal of a vertex is the mean of the normals of its
  * sectors. A sector of 7 or more triangles has no tangent plane: the eigenvalue 3/8 + 1/4 cos(2
  * pi/k) is then larger than 1/2, that of the tangent along the curve. Corners, curves, joints,
  * darts, and vertices of creases that are still sharp have no tangent plane either; they take a
@@ -50,7 +50,7 @@ struct LimitTangents
   /// For each vertex of a curve the neighbour from which the curve comes, and that to which it
   /// goes; -1: the vertex has sectors, or lies on no curve. Only of whole levels.
   Buffer<Id> AlongCurves;
-  /// What gives normals for shading to the vertices without sector.
+  /// The source of normals for shading of vertices without sector.
   ShadingStars<Id> Shading;
 
   /// Flags the vertices without sector.
@@ -89,15 +89,15 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
   const Buffer<typename Level::IdType>& vertices);
 
-/// Computes the unit normals of the rows of Sectors, three numbers for each; those without sector
-/// get zero. The other arguments are those of ComputeLimitNormals.
+/// Computes the unit normals of the rows of Sectors, three numbers for each; vertices without
+/// sector get zero. The other arguments are as in ComputeLimitNormals.
 template <typename Id>
 void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* normals);
 
-/// Computes two tangents of each vertex, three numbers each, from the points of the level: those of
-/// its first sector, whose cross product has the direction of the normal, or on a curve the first
-/// along it, or zeros. The other arguments are those of ComputeLimitNormals.
+/// Computes two tangents of each vertex, three numbers each, from the points of the level: the
+/// tangents of its first sector, whose cross product has the direction of the normal, or on a curve
+/// the first along it, or zeros. The other arguments are as in ComputeLimitNormals.
 template <typename Id>
 void ComputeLimitTangents(const LimitTangents<Id>& tangents, const Coordinates& points,
   const std::vector<vtkIdType>& inverted, const Buffer<unsigned char>& turned, double* first,

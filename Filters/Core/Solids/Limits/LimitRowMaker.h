@@ -254,7 +254,8 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   this->FinishRow(this->CountSteps(), row);
 }
 
-/// Makes from Weights, those after so many steps that have other rules, the row over the level.
+/// Makes the row over the level from Weights, which are the weights after so many steps that have
+/// other rules.
 template <typename Star>
 void LimitRowMaker<Star>::FinishRow(int steps, LimitRow<Id>& row)
 {

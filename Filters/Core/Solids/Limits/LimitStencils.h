@@ -58,7 +58,7 @@ struct SemiSharpStages
   Buffer<double> FaceSharpness; ///< of each face; may be empty
   std::vector<SharpStage<Id>> Stages; ///< by ascending Until; the last also holds after its Until
 
-  /// What is sharp at each vertex and edge. A sharpness larger than `most` counts as that.
+  /// What is sharp at each vertex and edge. A sharpness larger than `most` counts as `most`.
   SharpParts ListParts(const SimplicialComplex<Id>& complex, double most = SharpForever) const
   {
     SharpParts parts;

@@ -19,7 +19,7 @@ namespace subdivision
 namespace
 {
 
-/// Gives a level without solids what vertex rows need besides strata.
+/// Gives a level without solids the data that vertex rows need besides strata.
 template <typename Id>
 void TakeSpokes(const Level<Id>&, const SharpStage<Id>&, Level<Id>&)
 {
@@ -63,7 +63,7 @@ private:
     std::vector<vtkIdType> Solids; ///< the number of the control solid in which each solid lies
     ShadingCells<Id> Cells;
   };
-  /// What is kept of a level: limit rows over its vertices, and the rows of the step that leads to
+  /// The kept part of a level: limit rows over its vertices, and the rows of the step that leads to
   /// it.
   struct Trace
   {

@@ -39,7 +39,7 @@ public:
    * limits of vertices that are close together can all be those on one level. `wanted` flags the
    * vertices whose limits are computed (empty: all); Apply leaves the values of the others.
    * `distance`: at first a part has all vertices within this number of edges of its ancestors.
-   * `solids`: what ComputeNormals needs; null: it is not called.
+   * `solids`: for ComputeNormals; null: it is not called.
    */
   template <typename LevelType>
   LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
@@ -56,8 +56,9 @@ public:
 
   /// Computes the unit normals of wanted vertices, three numbers for each vertex, from the points
   /// of the control level. `inverted` and `turned` as in ComputeLimitNormals. They are taken, like
-  /// limits, on the level on which a vertex first exists: those of tangents are the same on all
-  /// levels but for rounding, and those for shading do not depend on what else is refined.
+  /// limits, on the level on which a vertex first exists: normals by tangents are the same on all
+  /// levels but for rounding, and normals for shading do not depend on other vertices that are
+  /// refined.
   void ComputeNormals(const Coordinates& points, const std::vector<vtkIdType>& inverted,
     const Buffer<unsigned char>& turned, double* normals) const;
 
@@ -65,7 +66,7 @@ public:
   vtkIdType GetNumberOfRows() const override { return this->NumberOfRows; }
   vtkIdType GetNumberOfColumns() const override { return this->NumberOfColumns; }
 
-  /// Values between are those of two levels at a time. Only rows of wanted vertices are passed.
+  /// Of values between two levels at a time are kept. Only rows of wanted vertices are passed.
   vtkIdType GetNumberBetween() const override;
   void ForEachBlock(const User& use) const override;
 

@@ -51,7 +51,8 @@ private:
 
 }
 
-/// Goes from the finest level back to the control level, and numbers on each what the rows read.
+/// Goes from the finest level back to the control level, and numbers on each the vertices that the
+/// rows read.
 template <typename Id>
 template <typename LevelType>
 class LocalLimit<Id>::LatticeBuilder
@@ -108,7 +109,7 @@ private:
     step.Vertices = std::move(vertices);
   }
 
-  /// The rows of all vertices of a level that have a number. Those of the level before it get
+  /// The rows of all vertices of a level that have a number. Vertices of the level before it get
   /// theirs.
   void MakeRows(Step& step)
   {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a LocalLimit does with its steps when they are made: values and normals.
+// Values and normals by the steps of a LocalLimit.
 #include "Core/Solids/Limits/LocalLimit.h"
 
 #include "Core/Memory/Ids.h"

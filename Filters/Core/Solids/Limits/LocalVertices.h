@@ -31,7 +31,7 @@ public:
   LocalVertices(
     Id first, const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted);
 
-  /// The control level, and those on which midpoints first exist.
+  /// The control level, and the levels on which midpoints first exist.
   std::size_t GetNumberOfLevels() const { return this->Born.size(); }
   /// The wanted vertices that first exist on a level.
   const std::vector<Id>& GetWanted(std::size_t level) const { return this->Wanted[level]; }

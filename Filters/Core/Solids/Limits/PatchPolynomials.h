@@ -30,7 +30,7 @@ public:
   {
   }
   /// The weights of all columns of a key for the first of PatchPowers::Quartic, then for the
-  /// second, ...; u and v are the weights of the second and the third corner. The key is that of a
+  /// second, ...; u and v are the weights of the second and the third corner. The key belongs to a
   /// face or the edge of a curve.
   const std::vector<double>& Find(const SheetKey& key);
   /// The same without zeros: a row for each power.
@@ -45,7 +45,7 @@ private:
   std::unordered_map<std::uint64_t, SheetChild> Children;
 };
 
-/// What each thread has found, for all that works on levels with the same weights.
+/// The findings of each thread, for all work on levels with the same weights.
 class KnownPolynomials
 {
 public:

@@ -3,8 +3,9 @@
  * @file PatchTree.h
  * The limit over one simplex of a curve or sheet of a level, from the values at the vertices on
  * which it depends (SheetKey.h), without any step of subdivision of the level. Where a corner is
- * not regular, the simplex is split, as often as a place needs: all parts but those at such corners
- * have nothing but regular vertices, and the limit over them is a polynomial (PatchPolynomials.h).
+ * not regular, the simplex is split, as often as a place needs: all parts but the parts at such
+ * corners have nothing but regular vertices, and the limit over them is a polynomial
+ * (PatchPolynomials.h).
  */
 #ifndef SubdivisionObjects_PatchTree_h
 #define SubdivisionObjects_PatchTree_h
@@ -42,7 +43,7 @@ public:
   template <typename LevelType>
   bool Start(const SheetReader<LevelType>& reader,
     const PatchSimplex<typename LevelType::IdType>& simplex, const double* values);
-  /// Begins a tree. The key is that of a face or the edge of a curve. Returns where the values at
+  /// Begins a tree. The key belongs to a face or the edge of a curve. Returns where the values at
   /// its columns are to be written, interleaved. `order`: which of the caller's corners is the
   /// first, second, third of the key.
   double* Start(const SheetKey& key, std::size_t columns, const std::array<int, 3>& order);

@@ -25,7 +25,7 @@ namespace subdivision
 namespace
 {
 
-/// What the row of a place is made of: a part of a patch, or nodes with their weights.
+/// The terms of the row of a place: a part of a patch, or nodes with their weights.
 template <typename Id>
 struct PlaceNodes
 {
