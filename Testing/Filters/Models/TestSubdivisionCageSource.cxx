@@ -195,7 +195,7 @@ TEST(SubdivisionCageSource, AllOfABoxIsInsideTheSmoothedCage)
   }
 }
 
-TEST(SubdivisionDeformation, WithoutRestMeshThereIsOneError)
+TEST(SubdivisionDeformation, WithoutMeshesThereIsOneError)
 {
   const Grid cloud = MakeCloud(5, { 0, 0, 0 }, { 1, 1, 1 }, 3);
   vtkNew<vtkSubdivisionDeformation> filter;
@@ -204,7 +204,8 @@ TEST(SubdivisionDeformation, WithoutRestMeshThereIsOneError)
   filter->SetInputDataObject(0, cloud);
   filter->Update();
   ASSERT_EQ(heard->Errors.size(), 1u);
-  EXPECT_NE(heard->Errors[0].find("RestMesh (input port 1)"), std::string::npos);
+  EXPECT_NE(heard->Errors[0].find("DeformedMesh (input port 2)"), std::string::npos);
+  EXPECT_NE(heard->Errors[0].find("RestMesh is a mesh of"), std::string::npos);
   EXPECT_NE(heard->Errors[0].find("vtkSubdivisionCageSource"), std::string::npos);
   EXPECT_EQ(ComparePoints(vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0)), cloud), "");
   heard->Errors.clear();

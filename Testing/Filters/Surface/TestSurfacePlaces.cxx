@@ -338,14 +338,22 @@ TEST(SurfacePlaces, ArraysThatAreNotSmoothed)
   }
 }
 
-/// Cells of a grid keep their ids, also where lines come after polygons, and solids are left out.
+/// Cells of a grid keep their ids, also where lines come after polygons, and solids have no places.
 TEST(SurfacePlaces, CellsOfGrids)
 {
   const auto input = MakeInput(MakeZoo(false)["cube"]);
   vtkNew<vtkUnstructuredGrid> grid;
-  grid->SetPoints(input->GetPoints());
+  vtkNew<vtkPoints> all;
+  all->DeepCopy(input->GetPoints());
+  const vtkIdType first = all->GetNumberOfPoints();
+  const vtkIdType solid[4] = { first, first + 1, first + 2, first + 3 };
+  for (const Point& p :
+    std::initializer_list<Point>{ { 9, 0, 0 }, { 10, 0, 0 }, { 9, 1, 0 }, { 9, 0, 1 } })
+  {
+    all->InsertNextPoint(p.data());
+  }
+  grid->SetPoints(all);
   grid->Allocate();
-  const vtkIdType solid[4] = { 0, 1, 2, 5 };
   grid->InsertNextCell(VTK_TETRA, 4, solid);
   vtkNew<vtkIdList> points;
   Places places;
