@@ -172,8 +172,8 @@ void ExpectChildren(
   EXPECT_EQ(wrong, 0);
 }
 
-/// Of a solid its faces on the outside are subdivided: each of six gives at most so many together.
-constexpr vtkIdType MostOutside = 120;
+/// Of a solid its faces on the outside are subdivided: all faces of a polyhedron give at most so many.
+constexpr vtkIdType MostOutside = 400;
 
 /// Points that cells use are finite.
 void ExpectFinite(vtkPointSet* output)
@@ -462,7 +462,7 @@ TEST_P(FilesThroughFilters, SurfaceSubdivision)
         triangles += shape.Dimension == 2 ? shape.Least : 0;
       }
       const vtkIdType polys = vtkPolyData::SafeDownCast(output)->GetNumberOfPolys();
-      EXPECT_TRUE(solids > 0 ? polys > 3 * triangles : polys == 3 * triangles) << polys;
+      EXPECT_TRUE(solids > 0 ? polys >= 3 * triangles : polys == 3 * triangles) << polys;
     }
   }
 }

@@ -344,6 +344,7 @@ TEST(SurfacePlaces, CellsOfGrids)
   const auto input = MakeInput(MakeZoo(false)["cube"]);
   vtkNew<vtkUnstructuredGrid> grid;
   vtkNew<vtkPoints> all;
+  all->SetDataTypeToDouble();
   all->DeepCopy(input->GetPoints());
   const vtkIdType first = all->GetNumberOfPoints();
   const vtkIdType solid[4] = { first, first + 1, first + 2, first + 3 };
