@@ -172,7 +172,8 @@ void ExpectChildren(
   EXPECT_EQ(wrong, 0);
 }
 
-/// Of a solid its faces on the outside are subdivided: all faces of a polyhedron give at most so many.
+/// Of a solid its faces on the outside are subdivided: all faces of a polyhedron give at most so
+/// many.
 constexpr vtkIdType MostOutside = 400;
 
 /// Points that cells use are finite.
