@@ -67,7 +67,10 @@ def run_class(name, options, data, controller, warnings=None):
 def run_proxy(name, options, data, _):
     producer = ranks.simple.TrivialProducer()
     producer.GetClientSideObject().SetOutput(data)
-    proxy = getattr(ranks.simple, PROXIES[name])(Input=producer, **options)
+    labels = {"ModifiedBoundary": "SmoothUpToBorders", "Placement": "Shape", "EmbeddedCells": "CellsInOtherCells",
+              "RuleArray": "JointOfEachCell", "Use32BitIds": "CompactIds", "FieldsOfCells": "CellArraysToSmooth"}
+    named = {labels.get(key, key): value for key, value in options.items()}  # pvpython has labels
+    proxy = getattr(ranks.simple, PROXIES[name])(Input=producer, **named)
     output = ranks.own_cells(proxy)
     ranks.simple.Delete(proxy)
     ranks.simple.Delete(producer)
