@@ -46,12 +46,6 @@ public:
   {
     return !tangents;
   }
-  /// All points stay.
-  void AppendLimitRowsOfNext(const SurfaceLevel<Id>& /*level*/, const IrregularRows<Id>& /*others*/,
-    LimitKind /*kind*/, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    rows.AddCopies(begin, end - begin);
-  }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
 };

@@ -34,17 +34,11 @@ public:
     }
   }
 
-  /// There are no tangent planes at vertices: these rows are empty.
   bool HasLimitsOfNext(const SurfaceLevel<Id>& level, bool tangents) const override
   {
     return !tangents && level.Mesh.Arity > 0;
   }
-  /// All points stay.
-  void AppendLimitRowsOfNext(const SurfaceLevel<Id>& /*level*/, const IrregularRows<Id>& /*others*/,
-    LimitKind /*kind*/, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
-  {
-    rows.AddCopies(begin, end - begin);
-  }
+  /// There are no tangent planes at vertices: these rows are empty.
   void AppendLimitRows(const SurfaceLevel<Id>&, const SurfaceTags<Id>&, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {

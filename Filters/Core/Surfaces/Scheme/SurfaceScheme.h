@@ -271,10 +271,12 @@ public:
   {
     return false;
   }
+  /// Appends them. Where nothing else is said, all points stay.
   virtual void AppendLimitRowsOfNext(const SurfaceLevel<Id>& /*level*/,
-    const IrregularRows<Id>& /*others*/, LimitKind /*kind*/, vtkIdType /*begin*/, vtkIdType /*end*/,
-    RowBlock<Id>& /*rows*/) const
+    const IrregularRows<Id>& /*others*/, LimitKind /*kind*/, vtkIdType begin, vtkIdType end,
+    RowBlock<Id>& rows) const
   {
+    rows.AddCopies(begin, end - begin);
   }
 };
 
