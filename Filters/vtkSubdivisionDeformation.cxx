@@ -189,9 +189,8 @@ int vtkSubdivisionDeformation::RequestData(
   {
     subdivision::Fail(this,
       "DeformedMesh (input port 2) is missing; the output is the input. RestMesh is a mesh of "
-      "solid "
-      "cells around the input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the same "
-      "with its points moved.");
+      "solid cells around the input, such as a cage of vtkSubdivisionCageSource, DeformedMesh the "
+      "same with its points moved.");
     output->ShallowCopy(object);
     return 1;
   }
@@ -238,10 +237,9 @@ int vtkSubdivisionDeformation::RequestData(
     {
       if (!hasRest && deformed && !rest)
       {
-        options.Fail(
-          "RestMesh (input port 1) is missing, and DeformedMesh is no cage around the "
-          "input, as vtkSubdivisionCageSource makes it: the output is the input. Connect "
-          "the mesh that DeformedMesh was before its points were moved.");
+        options.Fail("RestMesh (input port 1) is missing, and DeformedMesh is no cage around the "
+                     "input, as vtkSubdivisionCageSource makes it: the output is the input. "
+                     "Connect the mesh that DeformedMesh was before its points were moved.");
         return false;
       }
       if (!rest || !deformed)

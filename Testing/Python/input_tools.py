@@ -206,7 +206,7 @@ class Messages(Refusals):
     def test_words_of_filters(self):
         with self.assertWarnsRegex(UserWarning, "Give selection={'cells': ids}"):
             subdivisionobjects.red_green_refinement(POINTS, TETS, refine="selection")
-        with self.assertWarnsRegex(UserWarning, "are solids.* outside, .*Use subdivide to") as told:
+        with self.assertWarnsRegex(UserWarning, 'are solids.* outside, .*Use (subdivide|"Multi-dimensional Subdivision") to') as told:
             subdivisionobjects.surface_subdivision(POINTS, {"tetra": TETS, "triangle": TRIANGLES})
         self.assertNotIn("vtk", str(told.warning))
         for text, call in (
