@@ -118,20 +118,27 @@ class Estimates : public testing::TestWithParam<Scheme>
 {
 };
 
+void ExpectEstimateOfSurface(const Scheme& scheme, bool isClosed, const std::string& options)
+{
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(MakeSurface(isClosed, options));
+  filter->SetScheme(scheme.Number);
+  filter->SetNumberOfLevels(scheme.Levels);
+  Set(filter.Get(), options);
+  ExpectEstimate(filter.Get(), options + (isClosed ? ", closed" : ", open"));
+}
+
 TEST_P(Estimates, Surfaces)
 {
   for (const std::string options : { "", "C", "S", "A", "PC", "PNTA" })
   {
     for (const bool isClosed : { true, false })
     {
-      vtkNew<vtkSurfaceSubdivision> filter;
-      filter->SetInputData(MakeSurface(isClosed, options));
-      filter->SetScheme(GetParam().Number);
-      filter->SetNumberOfLevels(GetParam().Levels);
-      Set(filter.Get(), options);
-      ExpectEstimate(filter.Get(), options + (isClosed ? ", closed" : ", open"));
+      ExpectEstimateOfSurface(GetParam(), isClosed, options);
     }
   }
+  // All edges are sharp, so that the last level is made for limits.
+  ExpectEstimateOfSurface(GetParam(), true, "PS");
 }
 
 const Scheme Schemes[] = { { vtkSurfaceSubdivision::LOOP, 5 },
