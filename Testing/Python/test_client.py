@@ -25,7 +25,8 @@ class Client(unittest.TestCase):
         # pvpython, which runs this, is an MPI process by itself.
         environment = {key: value for key, value in os.environ.items() if not key.startswith(("OMPI_", "PMIX_", "ORTE_"))}
         with tempfile.TemporaryDirectory() as home:  # settings of its own
-            environment.update(HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home)
+            path = os.pathsep.join([str(SESSION.parent), *filter(None, [environment.get("PYTHONPATH")])])
+            environment.update(HOME=home, XDG_CONFIG_HOME=home, XDG_RUNTIME_DIR=home, PYTHONPATH=path)
             client = subprocess.run([CLIENT, "--dr", f"--script={SESSION}"], env=environment, text=True, timeout=800,
                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         report = log.read_text(encoding="utf-8") if log.exists() else "no report\n"
