@@ -126,8 +126,8 @@ vtkIdType AddOutside(
 {
   std::vector<std::uint64_t> faces;
   ForFaces(grid, reader, checked,
-    [&](vtkIdType, const vtkIdType* loop, vtkIdType size, bool isOfSolid)
-    { faces.insert(faces.end(), isOfSolid ? 1 : 2, HashLoop(loop, size)); });
+    [&](vtkIdType, const vtkIdType* loop, vtkIdType size, bool)
+    { faces.push_back(HashLoop(loop, size)); });
   KeepSingles(faces);
   vtkIdType count = 0;
   ForFaces(grid, reader, checked,
