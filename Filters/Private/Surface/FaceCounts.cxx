@@ -47,7 +47,12 @@ void CountPolygon(int type, vtkIdType size, FaceCounts& counts)
 
 void CountFacesOf(vtkPointSet* mesh, FaceCounts& counts)
 {
+  if (!mesh->GetPoints())
+  {
+    return;
+  }
   const CellReader reader(mesh);
+  const CheckedCells checked = CheckCells(mesh, reader);
   const unsigned char* ghosts = GetGhosts(mesh, reader.GetNumberOfCells());
   std::vector<vtkIdType> scratch;
   std::vector<vtkIdType> loop;
@@ -55,8 +60,8 @@ void CountFacesOf(vtkPointSet* mesh, FaceCounts& counts)
   {
     const int type = reader.GetCellType(c);
     const int dimension = GetDimensionOfType(type);
-    const bool isCounted =
-      !ghosts || !(IsHiddenCell(ghosts[c]) || (ghosts[c] & vtkDataSetAttributes::DUPLICATECELL));
+    const bool isCounted = TakesPart(checked.States[c]) &&
+      !(ghosts && (ghosts[c] & vtkDataSetAttributes::DUPLICATECELL));
     const CellIds cell = isCounted && dimension > 1 ? reader.GetCell(c, scratch) : CellIds();
     const CornerCell corners =
       IsNonLinear(type) ? GetCornerCell(type, cell.Size) : CornerCell{ type, cell.Size };

@@ -21,9 +21,9 @@ using FaceCounts = std::array<double, 4>;
 /// faces of solids.
 bool HasMostlyQuads(const FaceCounts& counts);
 
-/// Counts the faces of a readable mesh, or of all blocks of a composite one: neither of hidden
-/// cells nor of duplicates, so that cells of all ranks count once. A strip has a triangle for each
-/// edge inside it and one more; a face between two solids counts twice.
+/// Counts the faces of a readable mesh, or of all blocks of a composite one: neither of cells that
+/// are left out nor of duplicates, so that cells of all ranks count once. A strip has a triangle
+/// for each edge inside it and one more; a face between two solids counts twice.
 FaceCounts CountFaces(vtkDataObject* readable);
 
 }

@@ -125,8 +125,7 @@ vtkIdType AddOutside(
   vtkUnstructuredGrid* grid, const CellReader& reader, const CheckedCells& checked, Lists& lists)
 {
   std::vector<std::uint64_t> faces;
-  ForFaces(grid, reader, checked,
-    [&](vtkIdType, const vtkIdType* loop, vtkIdType size, bool)
+  ForFaces(grid, reader, checked, [&](vtkIdType, const vtkIdType* loop, vtkIdType size, bool)
     { faces.push_back(HashLoop(loop, size)); });
   KeepSingles(faces);
   vtkIdType count = 0;

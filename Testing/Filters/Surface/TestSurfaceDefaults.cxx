@@ -123,6 +123,19 @@ TEST(SurfaceDefaults, HiddenAndGhostCellsDoNotCount)
   }
 }
 
+TEST(SurfaceDefaults, CellsThatAreLeftOutDoNotCount)
+{
+  const Surface row = MakeRow(3, 1);
+  row->GetPoints()->SetPoint(
+    row->GetNumberOfPoints() - 1, std::numeric_limits<double>::quiet_NaN(), 0., 0.);
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(row);
+  vtkNew<Messages> heard;
+  heard->Watch(filter);
+  filter->Update();
+  EXPECT_EQ(filter->GetSchemeInUse(), Loop); // two quads are left, beside two triangles
+}
+
 TEST(SurfaceDefaults, AutomaticIsTheSchemeItTakesBitForBit)
 {
   for (const bool quads : { true, false })
