@@ -190,15 +190,18 @@ its input on so far, and so has no options of its own.
 
 PAGE = """# @LABEL@
 
-BEGIN HERE: what it does, in three sentences (class `vtk@NAME@`, Python `subdivisionobjects.@function@`). Then a picture.
+BEGIN HERE: a picture. You have ..., and you want ...: take this filter (class `vtk@NAME@`, Python
+`subdivisionobjects.@function@`).
 
 ## When to use it
 
 ## What comes out
 
-## Pitfalls
-
 <!-- properties -->
+
+<!-- end -->
+
+## Pitfalls
 """
 
 ROOM = """# Private/@NAME@
@@ -277,8 +280,6 @@ def main():
                    + ("${control}" if project.values["RUN"] == "Run" else "Private/Control") + ")\n")
     project.insert("Plugin/Descriptions.cmake", r" MultiDimensionalSubdivision RedGreenRefinement", " @NAME@")
     project.insert("Documentation/Guide/README.md", r"^- \[Extract Dimensions\]", "- [@LABEL@](@NAME@.md): @brief@.\n")
-    project.insert("Documentation/Architecture.md", r"^\| Models \| nothing",
-                   "| @NAME@ | Core, Reading, Arrays, Control |\n")
     project.insert("Testing/Python/test_plugin.py", r'^        "ExtractDimensions": \(',
                    '        "@NAME@": ("@LABEL@", "' + "".join(words(name)) + '"),\n')
     project.insert("CHANGELOG.md", r"^- ", "- `vtk@NAME@` (\"@LABEL@\"): @brief@.\n")

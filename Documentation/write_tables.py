@@ -2,9 +2,10 @@
 """Writes titles and tables of properties in Documentation/Guide anew: write_tables.py [--check] FILE.xml...
 
 The files are those of Plugin after CMake pasted what they share. The tables stand below the line "<!-- properties -->" of
-the page that has the name of the filter. Rows that several filters have stand once, in CommonProperties.md, by the groups
-of the panels, those of most filters first; the pages of these filters name them. With --check it writes nothing, and fails
-where a page would change."""
+the page that has the name of the filter; what stands below "<!-- end -->" stays. Rows that several filters have stand once,
+in CommonProperties.md, by the groups of the panels, those of most filters first; the pages of these filters name them.
+Other rows that two filters have word for word stand on the page of the filter with more properties; the other page names
+them, with a link. With --check it writes nothing, and fails where a page would change."""
 
 import collections
 import pathlib
@@ -18,6 +19,7 @@ sys.path.insert(0, str(here.parent / "Plugin"))
 import options  # noqa: E402
 
 MARK = "<!-- properties -->\n"
+END = "\n<!-- end -->\n"
 OTHERS = "Further properties"  # of no group
 COMMON = "CommonProperties.md"
 
@@ -70,19 +72,37 @@ def find_common(filters, groups):
     return dict(sorted(common.items(), key=lambda item: (item[1][0] == OTHERS, -most[item[1][0]])))
 
 
-def of_page(one, common):
-    """The table of a filter, and by group the names of its rows that stand in CommonProperties.md."""
-    own, others = [], collections.defaultdict(list)
+def row_of(option):
+    return option.name, option.label, option.help
+
+
+def find_owners(filters):
+    """The filter on whose page a row stands that is not common: of those that have it, the one with most properties."""
+    owners = {}
+    for one in sorted(filters, key=lambda one: -len(one.options)):
+        for option in one.options:
+            owners.setdefault(row_of(option), one)
+    return owners
+
+
+def of_page(one, common, owners):
+    """The table of a filter, and names of its rows that stand elsewhere: in CommonProperties.md, by group, or on the page of
+    another filter."""
+    own, others, borrowed = [], collections.defaultdict(list), collections.defaultdict(list)
     for option in one.options:
         group, shared = common.get(option.name, (None, None))
-        if shared and (shared.label, shared.help) == (option.label, option.help):
-            others[group].append(f"`{option.name}`")
+        owner = owners[row_of(option)]
+        if shared and row_of(shared) == row_of(option):
+            others[f"[{group}]({COMMON}#{anchor(group)})"].append(f"`{option.name}`")
+        elif owner is not one:
+            borrowed[f"[{owner.label}]({owner.name}.md#properties)"].append(f"`{option.name}`")
         else:
             own.append(option)
     text = "\n## Properties\n\n" + (table(own) if own else "")
-    if others:
-        text += f"\n{'It also has' if own else 'It has'} these [common properties]({COMMON}):\n\n"
-        text += "".join(f"- [{group}]({COMMON}#{anchor(group)}): {', '.join(names)}\n" for group, names in others.items())
+    for found, kind in ((others, f"[common properties]({COMMON})"), (borrowed, "properties of another filter")):
+        if found:
+            text += ("" if text.endswith("\n\n") else "\n") + f"{'It also has' if own else 'It has'} these {kind}:\n\n"
+            text += "".join(f"- {where}: {', '.join(names)}\n" for where, names in found.items())
     return text
 
 
@@ -95,7 +115,8 @@ def of_common(common):
 
 def new_page(page, title, tables):
     text = page.read_text(encoding="utf-8")
-    return f"# {title}\n" + text[text.index("\n") + 1:text.index(MARK)] + MARK + tables
+    _, end, last = text.partition(END)
+    return f"# {title}\n" + text[text.index("\n") + 1:text.index(MARK)] + MARK + tables + end + last
 
 
 def main():
@@ -104,7 +125,8 @@ def main():
     filters = options.read(paths)
     common = find_common(filters, read_groups(paths))
     made = [(COMMON, "Common properties", of_common(common))]
-    made += [(f"{one.name}.md", one.label, of_page(one, common)) for one in filters]
+    owners = find_owners(filters)
+    made += [(f"{one.name}.md", one.label, of_page(one, common, owners)) for one in filters]
     changed = []
     for name, title, tables in made:
         page = here / "Guide" / name

@@ -81,7 +81,7 @@ def open_file(name):
 
 
 def cells_after(grid, levels):
-    """How many cells `levels` steps make of a grid that consists of simplices."""
+    """How many cells `levels` steps make of a grid, about: of a pyramid they make a half more."""
     counts = demo_pictures.count_by_dimension(grid)
     return sum(count * 2 ** (dimension * levels) for dimension, count in enumerate(counts))
 
@@ -121,7 +121,7 @@ def write_grid(grid, file_name):
 def show(name, source, levels):
     """Everything for one model. Returns its pictures, as images at half their size and to draw others, and the line
     to print about it."""
-    control, _ = subdivide(source, 0)  # the simplices of the input
+    control, _ = subdivide(source, 0)  # the control cells
     if control.GetNumberOfCells() == 0:
         sys.exit(f"demo: {name} has no cell that can be subdivided")
     if levels is None:

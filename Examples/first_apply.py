@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first picture: what nothing but Apply makes of twelve meshes, beside ParaView's own filters: gallery_first_apply.png.
+"""The first picture: what nothing but Apply makes of twelve meshes in the client, beside ParaView's own filters: gallery_first_apply.png.
 
     pvpython --force-offscreen-rendering first_apply.py [FOLDER]
 
-Sources of ParaView, built-in models, and files of FOLDER. All options have their defaults: those of the
-server manager and those of the representation, as in the client."""
+Sources of ParaView, built-in models, and files of FOLDER. All options have their defaults, and as many
+levels as the client begins with; ParaView's filter has as many."""
 
 import os
 import pathlib
@@ -21,6 +21,8 @@ FILES = ["surf_bunny_full.vtp", "poly_cow_mixed.vtp", "surf_moebius_quads.vtp", 
          "mix_ogs5_fracture_network.vtu"]
 PEERS = {"vtkPolyData": "LoopSubdivision", "vtkUnstructuredGrid": None}
 OURS = {"vtkPolyData": "SurfaceSubdivision", "vtkUnstructuredGrid": "MultidimensionalSubdivision"}
+LEVELS = {"LoopSubdivision": "NumberofSubdivisions", "SurfaceSubdivision": "NumberOfLevels",
+          "MultidimensionalSubdivision": "NumberOfLevels"}
 
 
 def make_source(name, options):
@@ -38,6 +40,16 @@ def inputs(folder):
         if folder and path.exists():
             reader = simple.XMLPolyDataReader if path.suffix == ".vtp" else simple.XMLUnstructuredGridReader
             yield path.stem, reader(FileName=[os.fspath(path)])
+
+
+def levels_of(name, source):
+    """As many as the client begins with: 2 below a million cells. Cells that keep their types have as many children as
+    simplices, so that 8,000 voxels begin with two levels, and with one where they are cut."""
+    once = getattr(simple, name)(Input=source, NumberOfLevels=1)
+    made = output(once)
+    count = sum(2 ** made.GetCell(i).GetCellDimension() for i in range(made.GetNumberOfCells()))
+    simple.Delete(once)
+    return 2 if 0 < count < 1e6 else 1
 
 
 def picture(source, caption):
@@ -77,9 +89,11 @@ def draw(folder=None):
         data = output(source)
         kind = data.GetClassName()
         rows.append([picture(source, f"{name}: {data.GetNumberOfCells():,} cells")])
-        for made in (PEERS.get(kind), OURS.get(kind, OURS["vtkUnstructuredGrid"])):
+        ours = OURS.get(kind, OURS["vtkUnstructuredGrid"])
+        levels = levels_of(ours, source)
+        for made in (PEERS.get(kind), ours):
             if made:
-                rows[-1].append(picture(*applied(made, source)))
+                rows[-1].append(picture(*applied(made, source, **{LEVELS[made]: levels})))
             else:
                 rows[-1].append(picture(None, "ParaView has no filter of its own for it"))
         if name == "surf_bunny_full":

@@ -16,7 +16,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TETRA, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE,
+    VTK_HEXAHEDRON, VTK_LINE, VTK_QUAD, VTK_TRIANGLE, VTK_VERTEX, VTK_WEDGE,
     vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkThreshold
 
@@ -243,7 +243,7 @@ def embedded():
     grid = mesh.grid()
     figure = Figure("embedded", "A surface in a solid", grid, (0.4, -1.0, 0.55))
     for rule in ("Ignore", "Sharp Inside"):
-        solids = look.of_types(subdivide(grid, CellsInOtherCells=rule), VTK_TETRA)
+        solids = look.of_types(subdivide(grid, CellsInOtherCells=rule), *look.SOLIDS)
         figure.add(f"CellsInOtherCells: {rule}\n(what is below it)", only_cells(solids, "MaterialId", 0), rules=False)
     return figure
 

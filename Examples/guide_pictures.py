@@ -24,8 +24,11 @@ from side_by_side import BLUE, VIEW, add_array, output, points_of, write
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import reference, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_PYRAMID,
     VTK_QUADRATIC_TETRA,
     VTK_TETRA,
+    VTK_WEDGE,
     vtkCellArray,
     vtkPolyData,
     vtkUnstructuredGrid,
@@ -46,10 +49,50 @@ def levels():
 def volume_schemes():
     grid = ball().grid()
     figure = Figure("volume_schemes", "8 hexahedra", grid, (0.35, -1.0, 0.4))
-    for words, options in (("Standard", {}), ("Even", {"VolumeScheme": "Even"}),
+    for words, options in (("Standard", {"VolumeScheme": "Standard"}), ("Even", {"VolumeScheme": "Even"}),
+                           ("Keep cell types", {"VolumeScheme": "Keep cell types"}),
                            ("Linear", {"VolumeScheme": "Linear"}),
                            ("Linear,\nKeepCellTypes", {"VolumeScheme": "Linear", "KeepCellTypes": 1})):
         figure.add_cut(words, subdivide(grid, 2, **options), (0.0, -1.0, 0.0), edges=True)
+    figure.write()
+
+
+def four_cell_types():
+    """A row of hexahedra between two wedges, with pyramids on them and tetrahedra between these."""
+    count = 3
+    points = [(x, y, z) for x in range(count + 1) for z in (0, 1) for y in (0, 1)]
+    tips = [len(points) + i for i in range(count)]
+    points += [(x + 0.5, 0.5, 1.8) for x in range(count)] + [(x, y, 0) for x in (-1, count + 1) for y in (0, 1)]
+    ends = len(points) - 4
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(to_points(np.array(points, dtype=float)))
+    parts = []
+
+    def add(kind, *ids):
+        grid.InsertNextCell(kind, len(ids), ids)
+        parts.append((VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID, VTK_TETRA).index(kind))
+
+    for i in range(count):
+        a, b = 4 * i, 4 * i + 4
+        add(VTK_HEXAHEDRON, a, b, b + 1, a + 1, a + 2, b + 2, b + 3, a + 3)
+        add(VTK_PYRAMID, a + 2, b + 2, b + 3, a + 3, tips[i])
+    for i in range(count - 1):
+        add(VTK_TETRA, 4 * i + 6, 4 * i + 7, tips[i], tips[i + 1])
+    add(VTK_WEDGE, ends, 0, 2, ends + 1, 1, 3)
+    last = 4 * count
+    add(VTK_WEDGE, ends + 2, last + 2, last, ends + 3, last + 3, last + 1)
+    add_array(grid.GetCellData(), "MaterialId", parts)
+    return grid
+
+
+def cell_types():
+    grid = four_cell_types()
+    figure = Figure("cell_types", "Four types of cells", grid, (0.35, -1.0, 0.5))
+    for words, scheme in (("Standard: tetrahedra,\nwith a diagonal in each quad", "Standard"),
+                          ("Keep cell types", "Keep cell types")):
+        figure.add(words, subdivide(grid, 2, VolumeScheme=scheme), rules=False, edges=True)
+    figure.add_cut("Keep cell types,\ncut open", subdivide(grid, 2, VolumeScheme="Keep cell types"), (0.0, -1.0, 0.0),
+                   edges=True)
     figure.write()
 
 
@@ -68,7 +111,7 @@ def sharpness():
     figure = Figure("sharpness", "A crease", rim_of_a_block(1.0), VIEW)
     for value in (0.0, 1.0, 1.5, 2.0, math.inf):
         smooth = subdivide(rim_of_a_block(value), SharpnessArray=["CELLS", "Sharpness"])
-        figure.add(f"Sharpness {value:g}", look.of_types(smooth, VTK_TETRA), rules=False)
+        figure.add(f"Sharpness {value:g}", look.of_types(smooth, *look.SOLIDS), rules=False)
     figure.write()
 
 
@@ -529,7 +572,7 @@ def figure():
 
 
 def draw():
-    for make in (levels, volume_schemes, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
+    for make in (levels, volume_schemes, cell_types, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
                  interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, seams, boundary, corners,
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
                  topology, scheme_pictures.modified_boundary, scheme_pictures.error_bounds,

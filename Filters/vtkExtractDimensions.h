@@ -6,7 +6,7 @@
  * The input is a vtkUnstructuredGrid, a vtkPolyData, or a composite data set of these, and so is
  * the output: it has the cells of the wanted dimensions (vertices, lines, surfaces, solids; of any
  * type that VTK has a class of) in the order of the input, and the points that they use. It is for
- * meshes that mix dimensions, of which ParaView's volume rendering draws nothing.
+ * meshes that mix dimensions, of which VTK's volume mappers draw nothing.
  *
  * Point and cell data follow their points and cells, with ids, ghost types and active attributes.
  * Field data pass through, but for the stamps by which filters of this project recognise their own

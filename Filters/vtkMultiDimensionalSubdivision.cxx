@@ -2,12 +2,46 @@
 #include "vtkMultiDimensionalSubdivision.h"
 
 #include "Private/Distribution/Dimensions.h"
+#include "Private/Reading/CellChecks.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace
+{
+
+/// Members that get back their values at the end of a scope.
+template <typename Members>
+class Given;
+template <typename... Values>
+class Given<std::tuple<Values&...>>
+{
+public:
+  explicit Given(const std::tuple<Values&...>& members)
+    : Members(members)
+    , Before(members)
+  {
+  }
+  ~Given() { this->Members = this->Before; }
+  Given(const Given&) = delete;
+  Given& operator=(const Given&) = delete;
+
+private:
+  std::tuple<Values&...> Members;
+  const std::tuple<Values...> Before;
+};
+
+}
 
 vtkStandardNewMacro(vtkMultiDimensionalSubdivision);
 
@@ -24,8 +58,15 @@ void vtkMultiDimensionalSubdivision::AddOutputDimension(int dimension)
 
 const char* vtkMultiDimensionalSubdivision::DescribeBezierNeeds() const
 {
-  return this->KeepCellTypes || this->VolumeScheme == TET_OCT
+  return this->KeepCellTypes || this->VolumeScheme == TET_OCT || this->VolumeScheme == HYBRID
     ? "Bezier cells need VolumeScheme = BoxSpline or Linear, no KeepCellTypes: they stay linear."
+    : nullptr;
+}
+
+const char* vtkMultiDimensionalSubdivision::DescribeCurvedNeeds() const
+{
+  return this->KeepCellTypes && this->VolumeScheme == LINEAR && this->HasNodesBetweenLevels()
+    ? "CellOrder 3, 5 and 6 need no KeepCellTypes: the cells stay linear."
     : nullptr;
 }
 
@@ -33,17 +74,7 @@ vtkSmartPointer<vtkDataObject> vtkMultiDimensionalSubdivision::Finish(vtkDataObj
 {
   const auto part = subdivision::TakeDimensions(made, this->OutputDimensions, !this->SharesRanks(),
     [this](const std::string& text) { subdivision::Warn(this, text); });
-  return this->MakeBezierCells(part, part == made);
-}
-
-bool vtkMultiDimensionalSubdivision::ComputeOperator(vtkSubdivisionOperator* result)
-{
-  if (this->KeepCellTypes)
-  {
-    subdivision::Fail(this, "With KeepCellTypes there is no operator to hand out: switch it off.");
-    return false;
-  }
-  return this->Superclass::ComputeOperator(result);
+  return this->MakeCurvedCells(part, part == made);
 }
 
 bool vtkMultiDimensionalSubdivision::EvaluateLimit(
@@ -52,21 +83,49 @@ bool vtkMultiDimensionalSubdivision::EvaluateLimit(
   return this->FindLimit(cells, parameters, result);
 }
 
+bool vtkMultiDimensionalSubdivision::MakeLevelAside(int level, bool isFirst,
+  const std::pair<double, double>& part, vtkInformationVector** inputVector)
+{
+  auto options = std::tie(this->NumberOfLevels, this->ProjectToLimit, this->GenerateOriginalIds,
+    this->GenerateGlobalIds, this->OutputPointsPrecision, this->CacheOperator,
+    this->GenerateLimitNormals, this->SmoothShading, this->GenerateTangents,
+    this->GenerateErrorBounds, this->GenerateClassification, this->OutputCells);
+  const Given<decltype(options)> given(options); // also where memory ends
+  options = std::make_tuple(std::max(level, 0), level >= 0, true, false, int(DOUBLE_PRECISION),
+    false, false, false, false, false, false, int(LINEAR_CELLS));
+  vtkNew<vtkInformationVector> made;
+  made->SetNumberOfInformationObjects(1);
+  this->vtkMultiDimensionalSubdivision::RequestDataObject(nullptr, inputVector, made);
+  // Levels are told as time steps: one of another time repeats no warning.
+  this->NumberOfRunsAside += isFirst ? 0. : 1.;
+  made->GetInformationObject(0)->Set(
+    vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), this->NumberOfRunsAside);
+  this->SetProgressShiftScale(part.first, part.second);
+  return this->vtkMultiDimensionalSubdivision::RequestData(nullptr, inputVector, made) != 0;
+}
+
 int vtkMultiDimensionalSubdivision::GetLayersOfCells() const
 {
   const bool readsLimit = this->ProjectToLimit || this->GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays;
   const int further = this->GenerateErrorBounds ? 1 : 0; // deviations next to a cell count
-  return further + (this->VolumeScheme == TET_OCT && readsLimit ? 3 : 2);
+  // The border of the outermost layer has angles that the whole has not: creases that end too
+  // early.
+  const bool mayKeepTypes = this->VolumeScheme == HYBRID || this->VolumeScheme == AUTOMATIC;
+  return further +
+    ((this->VolumeScheme != BOX_SPLINE && readsLimit) || (mayKeepTypes && this->DetectFeatures)
+        ? 3
+        : 2);
 }
 
 int vtkMultiDimensionalSubdivision::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   subdivision::UniformOptions options;
+  const bool isHybrid = this->VolumeScheme == HYBRID;
   options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
   const bool keepsTypes = this->KeepCellTypes && this->VolumeScheme == LINEAR;
-  if (this->KeepCellTypes && !keepsTypes)
+  if (this->KeepCellTypes && !keepsTypes && !isHybrid)
   {
     subdivision::Warn(this, "KeepCellTypes needs VolumeScheme = Linear: it is ignored.");
   }
@@ -78,26 +137,39 @@ int vtkMultiDimensionalSubdivision::RequestData(
       "GenerateLimitNormals and GenerateTangents are ignored.");
   }
   this->ReadLevelOptions(options);
-  options.KeepCellTypes = keepsTypes && !this->Places;
+  options.KeepCellTypes = isHybrid || (keepsTypes && !this->Places);
   options.GenerateClassification = this->GenerateClassification && !this->Places;
-  if (options.KeepCellTypes)
+  if (keepsTypes && !this->Places)
   {
     options.GenerateLimitNormals = options.GenerateTangents = false;
   }
   const bool addsBounds = this->AddsBounds();
   options.KeepsCopies = addsBounds;
+  options.KeepsTypesIfPossible = this->VolumeScheme == AUTOMATIC;
+  options.NeedsCuts = !options.KeepsTypesIfPossible ? nullptr
+    : this->WritesBezierCells()                     ? "OutputCells = Bezier"
+    : addsBounds                                    ? "GenerateErrorBounds"
+                                                    : nullptr;
   // A level reads points of cells around each cell only, linear rules only points of the cell
   // itself.
-  const bool readsLimit = options.ProjectToLimit || this->GenerateLimitNormals ||
+  const bool readsLimit = options.ProjectToLimit || options.GenerateLimitNormals ||
     this->GenerateTangents || this->InterpolatePoints || this->InterpolateArrays || addsBounds;
   const bool isLocal = this->VolumeScheme == LINEAR || (this->NumberOfLevels <= 1 && !readsLimit);
-  const auto act = [&options](const auto& work)
-  {
-    return [&options, work](vtkPointSet* input, vtkPointSet* output)
-    { return work(input, options, vtkUnstructuredGrid::SafeDownCast(output)); };
-  };
-  return this->RunLevels(inputVector, outputVector, options, isLocal,
-    act(&subdivision::SubdivideUniformly), act(&subdivision::AddUniformBounds));
+  return this->RunLevels(
+    inputVector, outputVector, options, isLocal,
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      this->AskForShading(
+        options, this->VolumeScheme != LINEAR && !(isLocal && subdivision::HasDuplicates(input)));
+      auto* const grid = vtkUnstructuredGrid::SafeDownCast(output);
+      return this->Torn ? subdivision::SubdivideWithSeams(input, this->Torn, options, grid)
+                        : subdivision::SubdivideUniformly(input, options, grid);
+    },
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      return subdivision::AddUniformBounds(
+        input, options, vtkUnstructuredGrid::SafeDownCast(output));
+    });
 }
 
 void vtkMultiDimensionalSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -3,10 +3,12 @@
  * @class   vtkMultiDimensionalSubdivision
  * @brief   smooth subdivision of curves, surfaces and solids in one mesh
  *
- * Subdivides a mesh of vertices, lines, triangles and tetrahedra (and cells that can be split into
- * these, see vtkSubdivisionAlgorithm) uniformly and smoothly: curves become cubic B-splines,
- * surfaces Loop surfaces, solids box-spline solids, each with smooth boundaries, and where objects
- * of different dimension meet they are blended into each other.
+ * Subdivides a mesh of cells of any dimension uniformly and smoothly: curves become cubic
+ * B-splines, triangles Loop surfaces, quads Catmull-Clark surfaces, solids become smooth inside,
+ * each with smooth boundaries, and where objects of different dimension meet they are blended into
+ * each other. A mesh with hexahedra, wedges, pyramids or quads keeps its types of cells; others,
+ * and what VolumeScheme cuts, become vertices, lines, triangles and tetrahedra (see
+ * vtkSubdivisionAlgorithm).
  *
  * @par Algorithm
  * Y.-S. Chang and H. Qin, "A Framework for Multi-dimensional Adaptive Subdivision Objects". Every
@@ -37,6 +39,29 @@
  * octahedron take cell data from the tetrahedron that they lie in, the first where they lie in
  * several. If flags or values that choose rules were changed in between, the next filter takes each
  * octahedron as four tetrahedra.
+ *
+ * @par Cells that keep their type
+ * VolumeScheme = HYBRID cuts nothing: a hexahedron or wedge becomes 8 of its type, a quad 4, a
+ * pyramid 4 pyramids, 4 tetrahedra and an octahedron, a tetrahedron 4 tetrahedra and an octahedron
+ * (in the output four tetrahedra with a common `OctahedronId`). Then points move to weighted means
+ * of the cells around them, each inside its own stratum: hexahedra in a lattice become tricubic
+ * B-splines, wedges Loop surfaces times a cubic B-spline, surfaces of quads Catmull-Clark surfaces;
+ * tetrahedra, triangles and lines are as with TET_OCT. Boundaries, creases, features, interfaces
+ * and joints are those of the other schemes. Cells with repeated points are the cells that they
+ * are: a hexahedron with a collapsed side is a pyramid or wedge, a quad with a collapsed edge a
+ * triangle. Polyhedra, prisms of five and six sides and other closed rests of collapsed cells get a
+ * point in their middle, the mean of their corners, and become a pyramid on each quad and a
+ * tetrahedron on each triangle, and larger sides are cut into triangles; a warning counts them.
+ * Polygons are cut into triangles. Where a quad lies against two triangles, the cell with the quad
+ * gives way, and no other, so that nothing hangs: a pyramid becomes two tetrahedra, a hexahedron or
+ * wedge tetrahedra and pyramids around its middle, a quad two triangles. A warning counts these,
+ * too. Non-linear cells are read as QuadraticCells says, voxels and pixels as hexahedra and quads,
+ * and octahedra that TET_OCT or HYBRID wrote as octahedra. Limits and classification are those of
+ * the last level, which takes memory as one level more would; so are normals where solids touch
+ * other cells, or blend. Filters in a row equal one filter, unless the mesh is in blocks or on
+ * several ranks, or the second one marks more, selects cells, or finds other values of an array
+ * that chooses rules in some children of a cell: then its input is a new control mesh. A concave
+ * angle of a corner has no flatness in sectors of quads (CornerAngleArray).
  *
  * @par Arrays
  * Floating point arrays, of any number of components, are smoothed like the points; so are colours
@@ -93,6 +118,8 @@
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUniformSubdivisionAlgorithm.h"
 
+#include <utility> // for std::pair
+
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkMultiDimensionalSubdivision
   : public vtkUniformSubdivisionAlgorithm
 {
@@ -106,32 +133,36 @@ public:
 
   ///@{
   /**
-   * How solids are split and smoothed inside: BOX_SPLINE (0, the default; into tetrahedra,
-   * smoothest in the interior of the control tetrahedra, with a direction preferred in each),
-   * TET_OCT (1; into tetrahedra and octahedra without any preferred direction, see "Tet/oct scheme"
-   * above) or LINEAR (2; the cells of BOX_SPLINE, not smoothed: points and values of all dimensions
-   * stay, new ones are midpoints, and each level is its own limit). Curves, surfaces, boundaries,
-   * creases and joints are the same in the first two.
+   * How solids are split and smoothed inside: BOX_SPLINE (0; into tetrahedra, smoothest in the
+   * interior of the control tetrahedra, with a direction preferred in each), TET_OCT (1; into
+   * tetrahedra and octahedra without any preferred direction, see "Tet/oct scheme" above), LINEAR
+   * (2; the cells of BOX_SPLINE, not smoothed: points and values of all dimensions stay, new ones
+   * are midpoints, and each level is its own limit), HYBRID (3; every cell keeps its type, see
+   * "Cells that keep their type" above) or AUTOMATIC (4, the default; HYBRID for a mesh with
+   * hexahedra, voxels, wedges, pyramids, quads or pixels, else BOX_SPLINE). Where HYBRID has an
+   * option or a cell not yet, AUTOMATIC takes BOX_SPLINE, too, with a warning that says which one
+   * decided; with JoinBlocks off each block has its own scheme. Curves, surfaces, boundaries,
+   * creases and joints are the same in the first two, and in HYBRID where no cell would be cut.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, LINEAR);
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, AUTOMATIC);
   vtkGetMacro(VolumeScheme, int);
   void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
   void SetVolumeSchemeToLinear() { this->SetVolumeScheme(LINEAR); }
+  void SetVolumeSchemeToHybrid() { this->SetVolumeScheme(HYBRID); }
+  void SetVolumeSchemeToAutomatic() { this->SetVolumeScheme(AUTOMATIC); }
   ///@}
 
   ///@{
   /**
-   * Whether hexahedra, wedges, pyramids and quads are refined as such, with VolumeScheme = LINEAR:
-   * a hexahedron, voxel or wedge into 8 of its type, a quad or pixel into 4, a pyramid into 6
-   * pyramids and 4 tetrahedra; simplices as without the option, each tetrahedron of each level
-   * around its shortest diagonal. New points are the means of the corners of edges, quads and
-   * hexahedra; so cells that fit together fit after any level, and keep their volume together.
-   * Options on rules and limits mean nothing then; of GenerateClassification,
-   * GenerateLimitNormals and GenerateTangents a warning says so. Quads and polygons of three points
-   * are read, larger polygons, prisms of more than three sides and polyhedra are errors. The output
-   * has no stamp: filters in a row refine the mesh that they read. Off by default; without LINEAR
-   * it is ignored with a warning.
+   * Whether VolumeScheme = LINEAR refines hexahedra, wedges, pyramids and quads as such, with the
+   * cells of HYBRID, which are not smoothed here. New points are the means of the corners of edges,
+   * quads, hexahedra and octahedra; so cells that fit together fit after any level, and keep their
+   * volume together. Options on rules and limits mean nothing then; of GenerateClassification,
+   * GenerateLimitNormals and GenerateTangents a warning says so. Cells are read as with HYBRID, and
+   * the output has no stamp: filters in a row refine the mesh that they read, and give the same
+   * points as one filter, but maybe pieces of octahedra in another order. Off by default; without
+   * LINEAR it is ignored with a warning.
    */
   vtkSetMacro(KeepCellTypes, bool);
   vtkGetMacro(KeepCellTypes, bool);
@@ -188,9 +219,10 @@ public:
    * rules; NumberOfLevels does not matter. Place i is in cell cells[i], a vertex, line, triangle or
    * tetrahedron, at parameters[i] (3 components, of which a cell of dimension d reads d): the
    * second point of the cell has the weight u, the third v, the fourth w, and the first 1 - u - v -
-   * w; no weight is negative. In an output of TET_OCT it may be a piece of an octahedron. Cells
-   * that the filter cuts, such as quads and hexahedra, have no places; vtkSurfaceSubdivision has
-   * places in polygons.
+   * w; no weight is negative. In an output of TET_OCT it may be a piece of an octahedron. By HYBRID
+   * it may also be a quad, pyramid, wedge or hexahedron that the filter does not cut, with the
+   * parameters that VTK has there. Cells that the filter cuts, by the other schemes also these,
+   * have no places; vtkSurfaceSubdivision has places in polygons.
    *
    * `result` has a point and a vertex for each place, in double, with all smoothed arrays there (an
    * array that is not smoothed has the value of the nearest corner), and the arrays DerivativeU,
@@ -217,6 +249,10 @@ public:
    * BOX_SPLINE very near to such faces, the limit is taken as linear over a part of this size, so
    * that 2^-k of a cell from an irregular vertex or edge the error is 2^(k - 50) more.
    *
+   * By HYBRID the part that is taken as linear is 2^-44 of a cell, in solids of all types, also
+   * inside of regular ones, and in cells of dimension 1 and 2 beside what is not regular: there
+   * second derivatives are 0, and the error is 2^(k - 42) of the weights of the largest derivative.
+   *
    * AT an extraordinary vertex of a surface the limit has no derivatives by these parameters
    * either. There the arrays have the slope over a part of 2^-52 of the cell. Its length means
    * nothing, and its direction comes near the tangent plane only (the normal is wrong by 1e-12 with
@@ -226,27 +262,38 @@ public:
    */
   bool EvaluateLimit(vtkIdTypeArray* cells, vtkDataArray* parameters, vtkPolyData* result);
 
-  /// An error with KeepCellTypes.
-  bool ComputeOperator(vtkSubdivisionOperator* result) override;
-
 protected:
   vtkMultiDimensionalSubdivision();
   ~vtkMultiDimensionalSubdivision() override;
 
   bool HasInterfaces() const override { return true; }
+  bool TearsSeams() const override
+  {
+    return this->OutputCells == LINEAR_CELLS && !this->GenerateErrorBounds && !this->Places &&
+      this->InterfaceValues == CONTINUOUS_VALUES && !this->CloseHangingNodes;
+  }
   /// Tet/oct limits need a third layer, because octahedra reach one edge farther.
   int GetLayersOfCells() const override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
   const char* DescribeBezierNeeds() const override;
+  /// For filters that write something else than a mesh: makes a level of straight cells in double
+  /// precision, with all points on the limit and OriginalCellIds, and calls Finish with it; -1: the
+  /// cells of the control mesh. The first of an update has `isFirst`, so that none repeats the
+  /// warnings of those before. It is `part` of the work. Returns false after an error.
+  bool MakeLevelAside(int level, bool isFirst, const std::pair<double, double>& part,
+    vtkInformationVector** inputVector);
+  const char* DescribeCurvedNeeds() const override;
 
-  int VolumeScheme = BOX_SPLINE;
+  int VolumeScheme = AUTOMATIC;
   bool KeepCellTypes = false;
   bool GenerateClassification = false;
   int OutputDimensions = ALL_DIMENSIONS;
 
 private:
+  double NumberOfRunsAside = 0.; ///< since the filter was made
+
   vtkMultiDimensionalSubdivision(const vtkMultiDimensionalSubdivision&) = delete;
   void operator=(const vtkMultiDimensionalSubdivision&) = delete;
 };

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRedGreenRefinement.h"
 
+#include "Private/Curved/CurvedCells.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Run/FilterRun.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkRedGreenRefinement);
 
-vtkRedGreenRefinement::vtkRedGreenRefinement() = default;
+vtkRedGreenRefinement::vtkRedGreenRefinement()
+  : Nodes(std::make_unique<std::vector<subdivision::CurvedNodes>>())
+{
+}
 vtkRedGreenRefinement::~vtkRedGreenRefinement() = default;
 
 int vtkRedGreenRefinement::RequestData(
@@ -24,11 +30,45 @@ int vtkRedGreenRefinement::RequestData(
     subdivision::Warn(this,
       "GenerateLimitNormals makes no normals with Placement = Linear: set Placement to Limit.");
   }
-  return this->RunRounds(inputVector, outputVector, options, options.Criteria,
+  const bool isCurved = this->OutputCells != LINEAR_CELLS;
+  options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
+                                                      : subdivision::CurvedKind::Lagrange;
+  options.CellOrder = this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
+  if (isCurved && !subdivision::AreNodesOnLevels(options.CellOrder))
+  {
+    subdivision::Fail(this,
+      "CellOrder 3 has nodes that are no middles of others: set CellOrder to 1, 2 or 4, or take "
+      "vtkMultiDimensionalSubdivision.");
+    vtkDataObject::GetData(outputVector)->Initialize();
+    return 0;
+  }
+  if (isCurved && this->SharesRanks())
+  {
+    subdivision::Warn(
+      this, "Curved cells of this filter need one process: on several ranks cells stay linear.");
+  }
+  options.Nodes = isCurved && !this->SharesRanks() ? this->Nodes.get() : nullptr;
+  this->Nodes->clear();
+  const int result = this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)
     {
       return subdivision::RefineRedGreen(input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
+  this->Nodes->clear();
+  return result;
+}
+
+vtkSmartPointer<vtkDataObject> vtkRedGreenRefinement::Finish(vtkDataObject* made)
+{
+  if (this->Nodes->empty())
+  {
+    return made;
+  }
+  subdivision::CurvedOptions options;
+  options.Kept = this->Nodes.get();
+  options.Warn = [this](const std::string& text) { subdivision::Warn(this, text); };
+  options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
+  return subdivision::MakeCurvedCells(made, options);
 }
 
 void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
@@ -37,4 +77,6 @@ void vtkRedGreenRefinement::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Placement: " << this->Placement << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "OutputCells: " << this->OutputCells << "\n";
+  os << indent << "CellOrder: " << this->CellOrder << "\n";
 }

@@ -78,6 +78,14 @@
 #include "vtkRefinementAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
+#include <memory> // for std::unique_ptr
+#include <vector>
+
+namespace subdivision
+{
+struct CurvedNodes;
+}
+
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkRedGreenRefinement : public vtkRefinementAlgorithm
 {
 public:
@@ -134,6 +142,38 @@ public:
   vtkBooleanMacro(GenerateLimitNormals, bool);
   ///@}
 
+  enum OutputCellTypes
+  {
+    LINEAR_CELLS,
+    QUADRATIC_CELLS,
+    LAGRANGE_CELLS
+  };
+  ///@{
+  /**
+   * Which cells the output has: LINEAR_CELLS (0, the default), or curved ones for solvers,
+   * QUADRATIC_CELLS (1) and LAGRANGE_CELLS (2) of CellOrder, with the nodes, the proof and the
+   * repair of vtkUniformSubdivisionAlgorithm: each cell of the refined mesh becomes one, green ones
+   * too, and cells that share an edge or face share its nodes. With Placement = LIMIT nodes and
+   * their values are on the limit, in the middle of two others by parameters; with LINEAR cells are
+   * straight. The next filter reads their corners like any other mesh. On several ranks a warning
+   * says that cells stay linear.
+   */
+  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
+  vtkGetMacro(OutputCells, int);
+  void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
+  void SetOutputCellsToQuadratic() { this->SetOutputCells(QUADRATIC_CELLS); }
+  void SetOutputCellsToLagrange() { this->SetOutputCells(LAGRANGE_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * The order of LAGRANGE_CELLS: 1, 2 or 4. 1 to 4, default 2. Of 3 an error says that its nodes
+   * are no middles of others.
+   */
+  vtkSetClampMacro(CellOrder, int, 1, 4);
+  vtkGetMacro(CellOrder, int);
+  ///@}
+
 protected:
   vtkRedGreenRefinement();
   ~vtkRedGreenRefinement() override;
@@ -143,12 +183,18 @@ protected:
   int GetLayersOfCells() const override { return this->VolumeScheme == TET_OCT ? 3 : 2; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
+  vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
 
   int Placement = LINEAR;
   int VolumeScheme = BOX_SPLINE;
   bool GenerateLimitNormals = false;
+  int OutputCells = LINEAR_CELLS;
+  int CellOrder = 2;
 
 private:
+  /// Of the cells that this execution made.
+  std::unique_ptr<std::vector<subdivision::CurvedNodes>> Nodes;
+
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;
   void operator=(const vtkRedGreenRefinement&) = delete;
 };

@@ -12,12 +12,14 @@
 #include "Private/Reading/HangingNodes.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Run/ControlCounts.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/ToldWarnings.h"
 #include "Private/Surface/FaceCounts.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Values/MaterialFields.h"
 #include "Private/Values/MissingValues.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -142,13 +144,31 @@ int vtkSubdivisionAlgorithm::ComputeInputUpdateExtent(
   return 1;
 }
 
+double* vtkSubdivisionAlgorithm::GetControlCounts()
+{
+  vtkDataObject* const input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  const vtkMTimeType time = input ? input->GetMTime() : 0;
+  if (time != this->TimeOfCounts) // a panel asks at each move of a slider
+  {
+    this->Counts = subdivision::CountControlCells(input);
+    this->TimeOfCounts = time;
+  }
+  return this->Counts.data();
+}
+
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::ReadInput(
   vtkDataObject* input, std::vector<std::string>& warnings)
 {
+  this->Torn = nullptr;
   const auto rule = this->QuadraticCells == PIECES ? subdivision::NonLinearRule::Pieces
                                                    : subdivision::NonLinearRule::Corners;
   const auto readable = subdivision::MakeReadable(input, rule, warnings);
-  return this->MergePoints && readable ? this->MergeIn(readable, warnings) : readable;
+  if (!readable)
+  {
+    return readable;
+  }
+  return this->MergePoints ? this->MergeIn(readable, warnings) : this->JoinIn(readable, warnings);
 }
 
 bool vtkSubdivisionAlgorithm::KeepsCopies() const
@@ -182,6 +202,25 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MergeIn(
                           "vtkStaticCleanUnstructuredGrid (surfaces: vtkCleanPolyData) with a "
                           "tolerance before the mesh is distributed.");
   }
+  return subdivision::MergeCoincidentPoints(readable, options, warnings);
+}
+
+vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::JoinIn(
+  vtkDataObject* readable, std::vector<std::string>& warnings)
+{
+  subdivision::MergeOptions options;
+  options.InterpolateIntegers = this->InterpolateIntegers;
+  options.JoinsBlocks = this->JoinBlocks;
+  options.KeepsTexture = this->HasSeams() && this->JoinsSeams();
+  options.TearsTexture = this->TearsSeams();
+  options.Values = this->MergedValues == AVERAGE_VALUE ? subdivision::MergedValues::Average
+                                                       : subdivision::MergedValues::First;
+  if (!this->JoinSides || !this->CanJoinSides() ||
+    !subdivision::FindSides(readable, this->SharesRanks(), options, warnings))
+  {
+    return readable;
+  }
+  this->Torn = options.TearsTexture ? vtkPointSet::SafeDownCast(readable) : nullptr;
   return subdivision::MergeCoincidentPoints(readable, options, warnings);
 }
 
@@ -330,6 +369,7 @@ int vtkSubdivisionAlgorithm::Run(vtkInformationVector** inputVector,
         };
         return subdivision::RunWithMissingValues(mesh, subdivided, options, runMesh);
       });
+  this->Torn = nullptr;
   if (this->GenerateOriginalIds)
   {
     subdivision::RestoreOriginalPoints(made, sources);
@@ -370,6 +410,7 @@ bool vtkSubdivisionAlgorithm::RunAside()
       "or is shared by several ranks.");
     return false;
   }
+  subdivision::ForgetStop(this);
   vtkNew<vtkInformationVector> outputs;
   outputs->SetNumberOfInformationObjects(1);
   vtkInformationVector** inputs = this->GetExecutive()->GetInputInformation();
@@ -548,6 +589,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Type2Rule: " << this->Type2Rule << "\n";
   os << indent << "Type3Rule: " << this->Type3Rule << "\n";
   os << indent << "QuadraticCells: " << this->QuadraticCells << "\n";
+  os << indent << "JoinSides: " << this->JoinSides << "\n";
   os << indent << "MergePoints: " << this->MergePoints << "\n";
   os << indent << "MergeTolerance: " << this->MergeTolerance << "\n";
   os << indent << "MergedValues: " << this->MergedValues << "\n";

@@ -8,7 +8,8 @@
  * as a simplicial complex whose cells may
  * have any dimension from 0 to 3 (Chang & Qin, "A Framework for Multi-dimensional Adaptive
  * Subdivision Objects", section 2). The output is a vtkUnstructuredGrid of VTK_VERTEX, VTK_LINE,
- * VTK_TRIANGLE and VTK_TETRA cells.
+ * VTK_TRIANGLE and VTK_TETRA cells; of vtkMultiDimensionalSubdivision also of quads, hexahedra,
+ * wedges and pyramids, which it does not split as this class says (VolumeScheme = AUTOMATIC).
  *
  * @par Surface filters
  * vtkSurfaceSubdivision and vtkAdaptiveSurfaceSubdivision have these options, too. They read and
@@ -91,6 +92,7 @@
 #include "vtkSmartPointer.h"             // for vtkSmartPointer
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
+#include <array>      // for std::array
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
 #include <string>     // for std::string
@@ -118,7 +120,9 @@ public:
   {
     BOX_SPLINE,
     TET_OCT,
-    LINEAR
+    LINEAR,
+    HYBRID,
+    AUTOMATIC
   };
 
   ///@{
@@ -275,8 +279,8 @@ public:
    * angle too, and from 180 degrees on new points move towards the plane of the two edges that
    * bound the sector. The surface filters measure the angles or take them from the array at index
    * 10; in all others a corner without an angle in this array has the plain rules. Limits, normals
-   * and tangents follow. For the schemes Loop and Catmull-Clark, and solids, whose surfaces are
-   * Loop's; no effect where others move the points. On by default.
+   * and tangents follow. For the schemes Loop, Catmull-Clark, sqrt(3) and 4-8, and solids, whose
+   * surfaces are Loop's; no effect where others move the points. On by default.
    */
   vtkSetMacro(ModifiedBoundary, bool);
   vtkGetMacro(ModifiedBoundary, bool);
@@ -472,6 +476,30 @@ public:
 
   ///@{
   /**
+   * Whether pieces of a surface that touch along their edges share points there, if together they
+   * are one closed surface, or if each is one face: the sides of vtkCubeSource, the caps of
+   * vtkCylinderSource, the triangles of STL files, which have points of their own at equal
+   * coordinates. All others stay apart, and the warning of MergePoints tells of them: cracks inside
+   * a piece, edges that three faces would have, sheets that lie on each other (at an angle below 1
+   * degree), other open sheets, faces with two points at one place, and meshes with solids.
+   *
+   * All pieces that touch are joined, or none: coordinates and cells decide, values do not. A piece
+   * meets itself at a seam only where texture coordinates differ. The first point gives the values,
+   * with a warning where they differ; with MergedValues = AVERAGE_VALUE there are means. Texture
+   * coordinates that differ are left out; vtkMultiDimensionalSubdivision keeps both sides of closed
+   * surfaces, if OutputCells are linear and nothing is closed, bounded or jumps. JoinSeams of
+   * vtkSurfaceSubdivision comes first: it keeps them, and joins all equal points of the mesh. On
+   * several ranks surfaces that are closed on a rank are joined; a warning tells of others. Without
+   * effect with MergePoints, on vtkSubdivisionDeformation, on meshes with global ids that ranks or
+   * blocks share, and where values jump already (InterfaceValues). On by default.
+   */
+  vtkSetMacro(JoinSides, bool);
+  vtkGetMacro(JoinSides, bool);
+  vtkBooleanMacro(JoinSides, bool);
+  ///@}
+
+  ///@{
+  /**
    * How far points may be apart that MergePoints joins. Where there is a chain of points, each near
    * to the next one, all are joined. All get the least coordinates of any of them, x first. On
    * several ranks it is ignored with a warning. A part of the diagonal of the bounding box of all
@@ -547,6 +575,15 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  /**
+   * Vertices, lines, triangles and tetrahedra that the cells of the input are before the first
+   * level, corners of its polygons, and its cells; then its faces, pyramids and other solids where
+   * cells keep their types: for programs that tell how much the filter would make. All are 0 while
+   * the input has no data; on ranks they are those of this one. Polyhedra and cells of higher order
+   * count as if they were hexahedra and polygons.
+   */
+  double* GetControlCounts() VTK_SIZEHINT(9);
+
 protected:
   vtkSubdivisionAlgorithm();
   ~vtkSubdivisionAlgorithm() override;
@@ -569,6 +606,10 @@ protected:
   /// seams of texture coordinates are seams in any case.
   virtual bool HasSeams() const { return false; }
   virtual bool JoinsSeams() const { return false; }
+  /// Whether JoinSides has an effect.
+  virtual bool CanJoinSides() const { return true; }
+  /// Whether the filter gives sides that JoinSides joins their texture coordinates again.
+  virtual bool TearsSeams() const { return false; }
   /// How many layers of the cells of others a rank needs around its own.
   virtual int GetLayersOfCells() const { return 2; }
   /// Whether an execution is for its output, and not for an operator.
@@ -652,16 +693,21 @@ protected:
   int Type3Rule = TYPE3_BLEND;
   int QuadraticCells = CORNERS;
   bool MergePoints = false;
+  bool JoinSides = true;
   double MergeTolerance = 0.;
   int MergedValues = FIRST_VALUE;
   bool CloseHangingNodes = false;
   bool JoinBlocks = true;
   vtkSmartPointer<vtkMultiProcessController> Controller;
+  /// During an execution: the mesh before JoinSides, if its texture coordinates keep both sides.
+  vtkSmartPointer<vtkPointSet> Torn;
 
 private:
   /// Whether copies of points keep values that MergePoints finds.
   bool KeepsCopies() const;
   vtkSmartPointer<vtkDataObject> MergeIn(
+    vtkDataObject* readable, std::vector<std::string>& warnings);
+  vtkSmartPointer<vtkDataObject> JoinIn(
     vtkDataObject* readable, std::vector<std::string>& warnings);
   /// Reads InterpolatePoints and the other options of it.
   void ReadInterpolation(
@@ -673,6 +719,8 @@ private:
   std::unique_ptr<subdivision::KeptParts> Kept;  ///< of other ranks
   subdivision::MatrixFactors* Factors = nullptr; ///< where FindOperator wants the operator
   std::unique_ptr<subdivision::ToldWarnings> Told;
+  std::array<double, 9> Counts = {}; ///< ControlCounts
+  vtkMTimeType TimeOfCounts = 0;     ///< of their input
 
   vtkSubdivisionAlgorithm(const vtkSubdivisionAlgorithm&) = delete;
   void operator=(const vtkSubdivisionAlgorithm&) = delete;

@@ -157,7 +157,9 @@ int vtkSubdivisionDeformation::RequestData(
 {
   subdivision::DeformationOptions options;
   options.Levels = this->NumberOfLevels;
-  options.Scheme = subdivision::GetVolumeScheme(this->VolumeScheme);
+  options.KeepsCellTypes = this->VolumeScheme == HYBRID;
+  options.Scheme =
+    subdivision::GetVolumeScheme(options.KeepsCellTypes ? BOX_SPLINE : this->VolumeScheme);
   options.SurfaceScheme = this->SurfaceScheme == CATMULL_CLARK
     ? subdivision::SurfaceSchemeKind::CatmullClark
     : subdivision::SurfaceSchemeKind::Loop;

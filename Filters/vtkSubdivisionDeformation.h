@@ -137,13 +137,17 @@ public:
 
   ///@{
   /**
-   * How solids are split and smoothed: BOX_SPLINE (0, the default) or TET_OCT (1; the paper's own
-   * scheme, which prefers no direction), see vtkMultiDimensionalSubdivision.
+   * How solids are split and smoothed: BOX_SPLINE (0, the default), TET_OCT (1; the paper's own
+   * scheme, which prefers no direction), LINEAR (2; not smoothed) or HYBRID (3; a lattice of
+   * hexahedra stays one, and deforms as a tricubic B-spline), see vtkMultiDimensionalSubdivision.
+   * With HYBRID, too, cells of the last level hold points as tetrahedra.
    */
-  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, TET_OCT);
+  vtkSetClampMacro(VolumeScheme, int, BOX_SPLINE, HYBRID);
   vtkGetMacro(VolumeScheme, int);
   void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(BOX_SPLINE); }
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(TET_OCT); }
+  void SetVolumeSchemeToLinear() { this->SetVolumeScheme(LINEAR); }
+  void SetVolumeSchemeToHybrid() { this->SetVolumeScheme(HYBRID); }
   ///@}
 
   enum SurfaceSchemes
@@ -208,6 +212,8 @@ public:
 protected:
   vtkSubdivisionDeformation();
   ~vtkSubdivisionDeformation() override;
+
+  bool CanJoinSides() const override { return false; } // both meshes keep their points
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   /// The output is of the input's type.

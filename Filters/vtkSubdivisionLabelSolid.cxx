@@ -8,6 +8,7 @@
 #include "Private/Labels/Materials.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/WholeInput.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
@@ -35,7 +36,7 @@ namespace
 {
 
 /// The filter that makes the solid. Its warnings are not passed on: the faults are measured, and
-/// the next round may mend them.
+/// the next round may mend them. Nothing mends those of curved cells, which are made once.
 class InnerFilter
 {
 public:
@@ -52,6 +53,14 @@ public:
     }
   }
   vtkMultiDimensionalSubdivision* operator->() { return this->Filter; }
+  void SetOutputCells(int cells, int order)
+  {
+    this->IsLast = true;
+    this->Filter->SetOutputCells(cells == vtkSubdivisionLabelSolid::QUADRATIC_CELLS
+        ? vtkUniformSubdivisionAlgorithm::QUADRATIC_CELLS
+        : vtkUniformSubdivisionAlgorithm::LAGRANGE_CELLS);
+    this->Filter->SetCellOrder(order);
+  }
   /// Returns null after an error or a stop.
   vtkUnstructuredGrid* Run(vtkUnstructuredGrid* grid, vtkPolyData* creases)
   {
@@ -74,6 +83,12 @@ private:
       inner->IsStopped = true;
       inner->Options.Fail(static_cast<const char*>(data));
     }
+    else if (event == vtkCommand::WarningEvent && inner->IsLast)
+    {
+      const std::string text(static_cast<const char*>(data));
+      const auto begin = text.find("): "); // what VTK writes before a message
+      inner->Options.Warn(text.substr(begin == std::string::npos ? 0 : begin + 3));
+    }
     else if (event == vtkCommand::ProgressEvent)
     {
       // A round begins where the one before ended. The labels were read before the first.
@@ -93,6 +108,7 @@ private:
   int Round = 0;
   double Done = subdivision::LabelsAreRead;
   bool IsStopped = false;
+  bool IsLast = false;
 };
 
 }
@@ -133,21 +149,11 @@ int vtkSubdivisionLabelSolid::RequestInformation(
 int vtkSubdivisionLabelSolid::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 0; port < 2; ++port)
   {
-    vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    if (info)
+    if (vtkInformation* const info = inputVector[port]->GetInformationObject(0))
     {
-      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-      if (info->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        int whole[6];
-        info->Get(Pipeline::WHOLE_EXTENT(), whole);
-        info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
-      }
+      subdivision::AskForWhole(info);
     }
   }
   return 1;
@@ -241,7 +247,8 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   InnerFilter inner(options);
   inner->SetController(nullptr);
   inner->SetNumberOfLevels(this->NumberOfLevels);
-  inner->SetVolumeScheme(this->VolumeScheme);
+  const bool isHybrid = this->CellType == HEXAHEDRA;
+  inner->SetVolumeScheme(isHybrid ? vtkSubdivisionAlgorithm::HYBRID : this->VolumeScheme);
   inner->SetMaximumNumberOfCells(VTK_ID_MAX); // memory is the only limit
   inner->SetProjectToLimit(true);
   inner->SetInterpolatePoints(true);
@@ -249,8 +256,19 @@ bool vtkSubdivisionLabelSolid::MakeSolid(vtkDataSet* image, vtkTable* table,
   inner->SetCreasePointsToSameId();
   inner->SetGenerateOriginalIds(true);
   inner->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, name.c_str());
-  options.Subdivide = [&inner](vtkUnstructuredGrid* grid, vtkPolyData* creases)
-  { return inner.Run(grid, creases); };
+  // The limit passes through the points: without a step these are the points of the grid.
+  const bool isControl = isHybrid && this->NumberOfLevels == 0;
+  options.Hexahedra = isHybrid;
+  options.Subdivide = [&inner, isControl](vtkUnstructuredGrid* grid, vtkPolyData* creases)
+  { return isControl ? grid : inner.Run(grid, creases); };
+  if (this->OutputCells != LINEAR_CELLS)
+  {
+    options.Curve = [&](vtkUnstructuredGrid* grid, vtkPolyData* creases)
+    {
+      inner.SetOutputCells(this->OutputCells, this->CellOrder);
+      return inner.Run(grid, creases);
+    };
+  }
   return subdivision::MakeLabelSolid(image, options, output);
 }
 
@@ -262,8 +280,11 @@ void vtkSubdivisionLabelSolid::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepConnected: " << this->KeepConnected << "\n";
   os << indent << "Connectivity: " << this->Connectivity << "\n";
   os << indent << "FlatBorder: " << this->FlatBorder << "\n";
+  os << indent << "CellType: " << this->CellType << "\n";
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
+  os << indent << "OutputCells: " << this->OutputCells << "\n";
+  os << indent << "CellOrder: " << this->CellOrder << "\n";
   os << indent << "NumberOfSmoothingSteps: " << this->NumberOfSmoothingSteps << "\n";
   os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
 }

@@ -3,9 +3,9 @@
  * @class   vtkSubdivisionLabelSolid
  * @brief   a smooth solid of many materials from an image of labels
  *
- * Makes tetrahedra of all voxels of an image but the background. Interfaces between labels, and
- * between labels and background, are smooth surfaces that the cells of both sides share; each label
- * keeps the volume that its voxels have.
+ * Makes tetrahedra or hexahedra of all voxels of an image but the background. Interfaces between
+ * labels, and between labels and background, are smooth surfaces that the cells of both sides
+ * share; each label keeps the volume that its voxels have.
  *
  * @par Algorithm
  * Blocks of k^3 voxels become one control voxel, with k as small as NumberOfControlCells allows: of
@@ -18,9 +18,9 @@
  * border of the image stay there. Then they are moved as little as possible so that labels have
  * their volumes, and vtkMultiDimensionalSubdivision makes the limit that passes through them, with
  * PreserveInterfaces. The filter measures this solid, corrects the corners for the difference in
- * volume, takes a quarter of the smoothing back around tetrahedra that are thinner than 2 % of the
- * tetrahedra of a cube, and repeats this up to 8 times, mostly twice. Voxels that meet in an edge
- * or a point alone become joints.
+ * volume, takes a quarter of the smoothing back around tetrahedra (of a hexahedron: those of a
+ * corner and its neighbours) that are thinner than 2 % of the tetrahedra of a cube, and repeats
+ * this up to 8 times, mostly twice. Voxels that meet in an edge or a point alone become joints.
  *
  * @par Accuracy
  * Volumes equal the input's voxels to 0.1 %, or 0.5 % where parts are about as thin as a control
@@ -45,12 +45,12 @@
  *    each voxel; unset: the active scalars of points, else of cells.
  *
  * @par Output
- * A vtkUnstructuredGrid of VTK_TETRA cells, on the limit. Cell arrays: the labels (the active
- * scalars), with name and type of the input's; the other arrays of the voxels but ids, floating
- * point numbers averaged over the voxels of the block that have its label, of others the tuple of
- * the first of these; the columns of the table that have numbers, which replace arrays of the
- * voxels of the same name, with a warning. Field arrays: the image's, and all columns of the table,
- * so also the names of materials.
+ * A vtkUnstructuredGrid of VTK_TETRA or VTK_HEXAHEDRON cells, on the limit. Cell arrays: the labels
+ * (the active scalars), with name and type of the input's; the other arrays of the voxels but ids,
+ * floating point numbers averaged over the voxels of the block that have its label, of others the
+ * tuple of the first of these; the columns of the table that have numbers, which replace arrays of
+ * the voxels of the same name, with a warning. Field arrays: the image's, and all columns of the
+ * table, so also the names of materials.
  *
  * @par Errors
  * The filter gives an error, and no cells, if there are no labels, if a label is no whole number,
@@ -103,7 +103,8 @@ public:
   ///@{
   /**
    * How many control voxels there may be without the background, 0 or more; default 20000. 0: one
-   * for each voxel of the image. Each becomes 6 tetrahedra, and these 8 on each level.
+   * for each voxel of the image. Each becomes 6 tetrahedra or one hexahedron, and these 8 on each
+   * level.
    */
   vtkSetClampMacro(NumberOfControlCells, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(NumberOfControlCells, vtkIdType);
@@ -146,6 +147,23 @@ public:
   vtkBooleanMacro(FlatBorder, bool);
   ///@}
 
+  enum CellTypes
+  {
+    TETRAHEDRA,
+    HEXAHEDRA
+  };
+  ///@{
+  /**
+   * Whether control voxels are cut into TETRAHEDRA (0, the default), or stay HEXAHEDRA (1), which
+   * are smoothed with the VolumeScheme HYBRID of vtkMultiDimensionalSubdivision. At level 0 the
+   * hexahedra are the control voxels, with their corners on the smooth interfaces.
+   */
+  vtkSetClampMacro(CellType, int, TETRAHEDRA, HEXAHEDRA);
+  vtkGetMacro(CellType, int);
+  void SetCellTypeToTetrahedra() { this->SetCellType(TETRAHEDRA); }
+  void SetCellTypeToHexahedra() { this->SetCellType(HEXAHEDRA); }
+  ///@}
+
   ///@{
   /**
    * Number of subdivision steps, 0 to 20, default 1. Points are on the limit whatever it is.
@@ -157,13 +175,41 @@ public:
   ///@{
   /**
    * How solids are split and smoothed inside: BOX_SPLINE (0, the default) or TET_OCT (1; adds the
-   * cell array `OctahedronId`), as in vtkMultiDimensionalSubdivision. Interfaces are the same.
+   * cell array `OctahedronId`), as in vtkMultiDimensionalSubdivision. Interfaces are the same. It
+   * is not read for HEXAHEDRA.
    */
   vtkSetClampMacro(
     VolumeScheme, int, vtkSubdivisionAlgorithm::BOX_SPLINE, vtkSubdivisionAlgorithm::TET_OCT);
   vtkGetMacro(VolumeScheme, int);
   void SetVolumeSchemeToBoxSpline() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::BOX_SPLINE); }
   void SetVolumeSchemeToTetOct() { this->SetVolumeScheme(vtkSubdivisionAlgorithm::TET_OCT); }
+  ///@}
+
+  enum OutputCellTypes
+  {
+    LINEAR_CELLS,
+    QUADRATIC_CELLS,
+    LAGRANGE_CELLS
+  };
+  ///@{
+  /**
+   * Which cells the output has: LINEAR_CELLS (0, the default), or curved ones for solvers,
+   * QUADRATIC_CELLS (1) and LAGRANGE_CELLS (2) of CellOrder, as vtkUniformSubdivisionAlgorithm
+   * makes, proves and repairs them. The linear cells have the volumes of the voxels.
+   */
+  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
+  vtkGetMacro(OutputCells, int);
+  void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
+  void SetOutputCellsToQuadratic() { this->SetOutputCells(QUADRATIC_CELLS); }
+  void SetOutputCellsToLagrange() { this->SetOutputCells(LAGRANGE_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * The order of LAGRANGE_CELLS, 1 to 6, default 2.
+   */
+  vtkSetClampMacro(CellOrder, int, 1, 6);
+  vtkGetMacro(CellOrder, int);
   ///@}
 
   ///@{
@@ -208,8 +254,11 @@ protected:
   bool KeepConnected = true;
   int Connectivity = CORNERS;
   bool FlatBorder = true;
+  int CellType = TETRAHEDRA;
   int NumberOfLevels = 1;
   int VolumeScheme = vtkSubdivisionAlgorithm::BOX_SPLINE;
+  int OutputCells = LINEAR_CELLS;
+  int CellOrder = 2;
   int NumberOfSmoothingSteps = 20;
   double MaximumDisplacement = .55;
 

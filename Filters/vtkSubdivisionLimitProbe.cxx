@@ -5,6 +5,7 @@
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Surface/SurfaceSubdivision.h"
+#include "Private/Uniform/HybridInput.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
 #include "vtkCompositeDataSet.h"
@@ -111,9 +112,23 @@ int vtkSubdivisionLimitProbe::RequestData(
       });
   }
   subdivision::UniformOptions options;
-  options.Scheme = subdivision::GetVolumeScheme(this->Scheme);
+  options.KeepCellTypes = this->Scheme == HYBRID;
+  options.KeepsTypesIfPossible = this->Scheme == AUTOMATIC;
+  if (this->Scheme <= LINEAR)
+  {
+    options.Scheme = subdivision::GetVolumeScheme(this->Scheme);
+  }
   return run(options,
-    [&](vtkPointSet* input) { return subdivision::SubdivideUniformly(input, options, nullptr); });
+    [&](vtkPointSet* input)
+    {
+      if (this->Scheme == BOX_SPLINE && subdivision::HasUncutCells(input))
+      {
+        options.Warn("The mesh has hexahedra, wedges, pyramids or quads, which Scheme BoxSpline "
+                     "cuts. The default of vtkMultiDimensionalSubdivision keeps them: for places "
+                     "of its limit set Scheme to Automatic, which takes much longer.");
+      }
+      return subdivision::SubdivideUniformly(input, options, nullptr);
+    });
 }
 
 void vtkSubdivisionLimitProbe::PrintSelf(ostream& os, vtkIndent indent)

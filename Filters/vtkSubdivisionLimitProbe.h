@@ -8,7 +8,7 @@
  * levels: curves, surfaces, and solids. A point inside a solid is its own nearest place: the filter
  * finds from where in the control mesh it comes. With Scheme = LOOP or CATMULL_CLARK the object is
  * the limit of the polygons and lines by vtkSurfaceSubdivision: by CATMULL_CLARK quads and other
- * polygons then keep their own parameters.
+ * polygons then keep their own parameters. With Scheme = HYBRID all cells do that stay whole.
  *
  * @par Inputs
  * Port 0: the control mesh, one data set that is no collection of blocks. Ports 1 and 2: marks, see
@@ -21,8 +21,9 @@
  * DerivativeW, LimitNormals, MeanCurvature and GaussianCurvature, as there; `Distance` to the
  * place; `CellId`, the cell of the control mesh with the place; `CellParameters`, the parameters of
  * the place there as EvaluateLimit of the same scheme has them. In simplices they are the weights
- * of the second, third and fourth point. They are -1 in cells that the scheme cuts: but for
- * CATMULL_CLARK all that are no vertices, lines, triangles or tetrahedra. The arrays of the points
+ * of the second, third and fourth point, by HYBRID in other cells those of VTK. They are -1 in
+ * cells that the scheme cuts: but for CATMULL_CLARK and HYBRID all that are no vertices, lines,
+ * triangles or tetrahedra. The arrays of the points
  * at port 3 follow, with their ids; one whose name is taken gets OfPlace at the end of it. Field
  * arrays of both are there, the control mesh's where names are equal.
  *
@@ -31,7 +32,8 @@
  * curves, surfaces and the boundaries of solids are searched as a whole: the limit over parts of
  * cells as polynomials, parts of which are left out only where they are certainly not nearer than
  * a place that is known. Newton's method then makes the distance smaller, up to rounding, also
- * across the borders of cells; by CATMULL_CLARK it searches in quads. No place of the limit is
+ * across the borders of cells; by CATMULL_CLARK it searches in quads, by HYBRID in simplices into
+ * which it cuts parameters, not the limit. No place of the limit is
  * nearer by more than 1e-9 of the size of the mesh. Of equally near ones the place in the first
  * cell is found. Where the boundary of a solid passes through the solid itself, a place of the
  * boundary may be found that lies inside.
@@ -71,30 +73,40 @@ public:
     TET_OCT,
     LINEAR,
     LOOP,
-    CATMULL_CLARK
+    CATMULL_CLARK,
+    HYBRID,
+    AUTOMATIC
   };
   ///@{
   /**
    * Whose limit it is. The limit of vtkMultiDimensionalSubdivision, with curves, surfaces and
    * solids: BOX_SPLINE (0, the default), TET_OCT (1; no direction is preferred inside solids;
-   * boundaries and creases are the same) or LINEAR (2; the mesh itself). Or the limit of the
-   * polygons and lines by vtkSurfaceSubdivision, which measures angles of corners and joins seams:
-   * LOOP (3) or CATMULL_CLARK (4); of solids the outside, with a warning.
+   * boundaries and creases are the same), LINEAR (2; the mesh itself), HYBRID (5; hexahedra,
+   * wedges, pyramids and quads stay whole) or AUTOMATIC (6; HYBRID for a mesh with such cells, else
+   * BOX_SPLINE). A place by HYBRID takes up to a second, so it is no default; the filter warns
+   * where BOX_SPLINE cuts cells that vtkMultiDimensionalSubdivision keeps by default. Or the limit
+   * of the polygons and lines by vtkSurfaceSubdivision, which measures angles of corners and joins
+   * seams: LOOP (3) or CATMULL_CLARK (4); of solids the outside, with a warning.
    */
-  vtkSetClampMacro(Scheme, int, BOX_SPLINE, CATMULL_CLARK);
+  vtkSetClampMacro(Scheme, int, BOX_SPLINE, AUTOMATIC);
   vtkGetMacro(Scheme, int);
   void SetSchemeToBoxSpline() { this->SetScheme(BOX_SPLINE); }
   void SetSchemeToTetOct() { this->SetScheme(TET_OCT); }
   void SetSchemeToLinear() { this->SetScheme(LINEAR); }
   void SetSchemeToLoop() { this->SetScheme(LOOP); }
   void SetSchemeToCatmullClark() { this->SetScheme(CATMULL_CLARK); }
+  void SetSchemeToHybrid() { this->SetScheme(HYBRID); }
+  void SetSchemeToAutomatic() { this->SetScheme(AUTOMATIC); }
   ///@}
 
 protected:
   vtkSubdivisionLimitProbe();
   ~vtkSubdivisionLimitProbe() override;
 
-  bool IsOfSurfaces() const override { return this->Scheme >= LOOP; }
+  bool IsOfSurfaces() const override
+  {
+    return this->Scheme == LOOP || this->Scheme == CATMULL_CLARK;
+  }
   bool HasOriginalCellIds() const override
   {
     return this->GenerateOriginalIds || this->IsOfSurfaces();

@@ -17,7 +17,7 @@
  * The eigenvectors of l1, l2 (and l3) are the characteristic map. U. Reif (1995) proved for
  * surfaces that the limit is C^1 if the condition holds and this map is regular and injective. For
  * solids the answers are necessary, and no proof. `Failing` is 1 where a condition does not hold or
- * the map is not regular or not injective. Figures: Documentation/Mathematics.md, section 9.
+ * the map is not regular or not injective. Figures: Documentation/Analysis.
  *
  * @par Which matrix
  * The dimension d of a vertex's rule decides. d = 3: all neighbours, condition (24). d = 2: the

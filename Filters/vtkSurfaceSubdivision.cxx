@@ -12,8 +12,6 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
-#include <string>
-
 vtkStandardNewMacro(vtkSurfaceSubdivision);
 
 vtkSurfaceSubdivision::vtkSurfaceSubdivision() = default;
@@ -37,6 +35,15 @@ const char* vtkSurfaceSubdivision::DescribeBezierNeeds() const
   return scheme == LOOP || scheme == CATMULL_CLARK || scheme == LINEAR
     ? nullptr
     : "Bezier cells need Scheme = Loop, CatmullClark or Linear: the cells stay linear.";
+}
+
+const char* vtkSurfaceSubdivision::DescribeCurvedNeeds() const
+{
+  return this->DescribeBezierNeeds()
+    ? "Curved cells need Scheme = Loop, CatmullClark or Linear: the cells stay linear."
+    : this->GetSchemeInUse() == LINEAR && this->HasNodesBetweenLevels()
+    ? "CellOrder 3, 5 and 6 need Scheme = Loop or CatmullClark: the cells stay linear."
+    : nullptr;
 }
 
 int vtkSurfaceSubdivision::GetLayersOfCells() const
@@ -73,7 +80,7 @@ int vtkSurfaceSubdivision::RequestData(
   subdivision::SurfaceOptions options;
   this->ReadLevelOptions(options);
   this->FacesOfRank = {}; // reading may fail on one rank only
-  if (this->Scheme == LINEAR && this->WritesBezierCells())
+  if (this->Scheme == LINEAR && this->WritesCurvedCells())
   {
     options.ProjectToLimit = this->ProjectToLimit;
   }
@@ -96,6 +103,9 @@ int vtkSurfaceSubdivision::RequestData(
         subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
           { FLATNESS_ARRAY, nullptr, false, true }, options.Warn, options.Fail, flatness);
       options.Flatness = flatness;
+      this->AskForShading(options,
+        options.Scheme == subdivision::SurfaceSchemeKind::Loop ||
+          options.Scheme == subdivision::SurfaceSchemeKind::CatmullClark);
       return isRead &&
         subdivision::SubdivideSurface(
           vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));

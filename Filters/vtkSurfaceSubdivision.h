@@ -11,9 +11,10 @@
  * D. Zorin, "Subdivision on Arbitrary Meshes: Algorithms and Theory", sections 3 and 4, and for
  * sqrt(3) L. Kobbelt, "sqrt(3)-Subdivision". Next to a boundary, crease or corner the rules depend
  * on the number of faces in the sector and, at corners, on its angle; at concave corners the points
- * around are also flattened, so that the surface does not fold (section 3.2). ModifiedBoundary off
- * gives the plain rules. All weights, limits and spectra, and the five differences between Loop
- * here and in vtkMultiDimensionalSubdivision: Documentation/Mathematics.md, sections 11 and 12.
+ * around are also flattened, so that the surface does not fold (section 3.2); for SqrtThree and
+ * FourEight these rules are the project's own. ModifiedBoundary off gives the plain rules. All
+ * weights, limits and spectra, and the five differences between Loop here and in
+ * vtkMultiDimensionalSubdivision: Documentation/Mathematics.md, sections 11 and 12.
  *
  * @par Modified Butterfly
  * Points stay, because the scheme interpolates, and are on the limit. Boundaries, creases and lines
@@ -28,8 +29,8 @@
  * where blocks or ranks share the mesh solids are left out. Loop, ModifiedButterfly,
  * SqrtThree and Linear split other polygons into triangles first. A line cell
  * that lies on an edge follows it; others are curves of their own, cubic B-splines. Poly lines
- * become lines, vertex cells stay. The output, a vtkPolyData unless OutputCells = BEZIER_CELLS, has
- * vertices, lines and polygons, in this order, the children of a cell one after another and
+ * become lines, vertex cells stay. The output, a vtkPolyData unless OutputCells makes curved cells,
+ * has vertices, lines and polygons, in this order, the children of a cell one after another and
  * oriented like it (dual schemes: see below). Points: the input's with their ids, unused ones too,
  * then the new ones level by level. Arrays and field data are treated as by
  * vtkMultiDimensionalSubdivision. Cells that cannot be used are left out with a warning.
@@ -73,8 +74,7 @@
  *
  * SqrtThree and FourEight leave curves alone in odd steps. They replace all other edges, so that
  * line cells are creases with any flag or sharpness, and an end of a crease is a corner. FourEight
- * has triangles on curves after odd steps. These two have no rules for the number of faces on a
- * curve, and ModifiedBoundary changes nothing.
+ * has triangles on curves after odd steps.
  *
  * @par Non-manifold input
  * Edges with three and more faces, vertices where fans of faces or lines meet: Loop follows
@@ -145,7 +145,7 @@ public:
   vtkTypeMacro(vtkSurfaceSubdivision, vtkUniformSubdivisionAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The output; null if it has Bezier cells (OutputCells). Then GetOutputDataObject(0) has it, a
+  /// The output; null if it has curved cells (OutputCells). Then GetOutputDataObject(0) has it, a
   /// vtkUnstructuredGrid.
   vtkPolyData* GetOutput() { return this->GetPolyDataOutput(); }
 
@@ -246,7 +246,7 @@ protected:
   ~vtkSurfaceSubdivision() override;
 
   bool IsOfSurfaces() const override { return true; }
-  bool WritesSurfaces() const override { return !this->WritesBezierCells(); }
+  bool WritesSurfaces() const override { return !this->WritesCurvedCells(); }
   bool HasOriginalCellIds() const override { return this->GenerateOriginalIds || this->Places; }
   enum SurfaceArrayIndices
   {
@@ -265,6 +265,7 @@ protected:
   }
   bool JoinsSeams() const override { return this->JoinSeams; }
   const char* DescribeBezierNeeds() const override;
+  const char* DescribeCurvedNeeds() const override;
   bool MakesQuads() const override { return this->GetSchemeInUse() == CATMULL_CLARK; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -2,6 +2,7 @@
 #include "vtkUniformSubdivisionAlgorithm.h"
 
 #include "Private/Bezier/BezierCells.h"
+#include "Private/Curved/CurvedCells.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/KeptEntries.h"
@@ -9,13 +10,18 @@
 #include "vtkDataArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkUniformSubdivisionAlgorithm::vtkUniformSubdivisionAlgorithm()
   : Cache(std::make_unique<subdivision::KeptEntries>())
   , Bezier(std::make_unique<subdivision::BezierRounds>())
+  , Nodes(std::make_unique<std::vector<subdivision::CurvedNodes>>())
 {
 }
 
@@ -47,10 +53,21 @@ bool vtkUniformSubdivisionAlgorithm::WritesBezierCells() const
     !this->DescribeBezierNeeds();
 }
 
+bool vtkUniformSubdivisionAlgorithm::WritesNodes() const
+{
+  return this->OutputCells > BEZIER_CELLS && this->HasOutput() && !this->Places &&
+    !this->DescribeCurvedNeeds();
+}
+
+bool vtkUniformSubdivisionAlgorithm::HasNodesBetweenLevels() const
+{
+  return this->OutputCells == LAGRANGE_CELLS && !subdivision::AreNodesOnLevels(this->CellOrder);
+}
+
 bool vtkUniformSubdivisionAlgorithm::AddsBounds() const
 {
   return this->GenerateErrorBounds && this->HasOutput() && !this->Places &&
-    !this->WritesBezierCells();
+    !this->WritesCurvedCells();
 }
 
 void vtkUniformSubdivisionAlgorithm::Inspect(vtkDataObject*, vtkDataObject* readable)
@@ -60,16 +77,39 @@ void vtkUniformSubdivisionAlgorithm::Inspect(vtkDataObject*, vtkDataObject* read
     this->Bezier->SetFurtherSteps(
       subdivision::CountFurtherSteps(this->SharesRanks() ? nullptr : readable, this->MakesQuads()));
   }
+  // The first level makes quads of other faces.
+  this->LeastLevels = this->WritesNodes() && this->MakesQuads() &&
+      subdivision::HasOtherCells(this->SharesRanks() ? nullptr : readable, true)
+    ? 1
+    : 0;
 }
 
 vtkSmartPointer<vtkDataObject> vtkUniformSubdivisionAlgorithm::Finish(vtkDataObject* made)
 {
-  return this->MakeBezierCells(made, true);
+  return this->MakeCurvedCells(made, true);
 }
 
-vtkSmartPointer<vtkDataObject> vtkUniformSubdivisionAlgorithm::MakeBezierCells(
+int vtkUniformSubdivisionAlgorithm::GetOrderOfNodes() const
+{
+  return this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
+}
+
+vtkSmartPointer<vtkDataObject> vtkUniformSubdivisionAlgorithm::MakeCurvedCells(
   vtkDataObject* made, bool isWhole)
 {
+  if (this->WritesNodes())
+  {
+    subdivision::CurvedOptions options;
+    options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
+                                                        : subdivision::CurvedKind::Lagrange;
+    options.Order = this->GetOrderOfNodes();
+    options.Use32BitIds = this->Use32BitIds;
+    options.Warn = [this](const std::string& text) { subdivision::Warn(this, text); };
+    options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
+    options.SharesRanks = this->SharesRanks();
+    options.Kept = this->EvaluatesNodes() ? this->Nodes.get() : nullptr;
+    return subdivision::MakeCurvedCells(made, options);
+  }
   if (!this->WritesBezierCells())
   {
     return made;
@@ -107,28 +147,101 @@ bool vtkUniformSubdivisionAlgorithm::FindLimit(
 
 void vtkUniformSubdivisionAlgorithm::ReadLevelOptions(subdivision::LevelOptions& options)
 {
-  const char* const needs = this->DescribeBezierNeeds();
-  const bool asksForBezier =
-    this->OutputCells == BEZIER_CELLS && this->HasOutput() && !this->Places;
-  if (asksForBezier && needs)
+  const bool isBezier = this->OutputCells == BEZIER_CELLS;
+  const char* const needs = isBezier ? this->DescribeBezierNeeds() : this->DescribeCurvedNeeds();
+  const bool asks = this->OutputCells != LINEAR_CELLS && this->HasOutput() && !this->Places;
+  if (asks && needs)
   {
     subdivision::Warn(this, needs);
   }
-  if (asksForBezier && !needs && this->GenerateGlobalIds)
+  if (asks && !needs && isBezier && this->GenerateGlobalIds)
   {
     subdivision::Warn(this, "Bezier cells have no global ids: GenerateGlobalIds is ignored.");
   }
-  if (asksForBezier && !needs && this->GenerateErrorBounds)
+  if (asks && !needs && this->GenerateErrorBounds)
   {
-    subdivision::Warn(this, "Bezier cells have no error bounds: GenerateErrorBounds is ignored.");
+    subdivision::Warn(this,
+      isBezier ? "Bezier cells have no error bounds: GenerateErrorBounds is ignored."
+               : "Curved cells have no error bounds: GenerateErrorBounds is ignored.");
   }
   options.Levels = this->Places ? 0 : this->NumberOfLevels;
-  options.ProjectToLimit = this->ProjectToLimit || this->WritesBezierCells() || this->Places;
-  options.GenerateLimitNormals = this->GenerateLimitNormals && !this->Places;
-  options.GenerateTangents = this->GenerateTangents && !this->Places;
+  // Nodes between the points of levels are evaluated on cells that are not projected.
+  const bool evaluates = this->EvaluatesNodes();
+  if (evaluates && (this->GenerateLimitNormals || this->GenerateTangents))
+  {
+    subdivision::Warn(this,
+      "Nodes of CellOrder 3, 5 and 6 have no normals and tangents: GenerateLimitNormals and "
+      "GenerateTangents are ignored. Set CellOrder to 1, 2 or 4.");
+  }
+  options.ProjectToLimit =
+    (this->ProjectToLimit || this->WritesCurvedCells() || this->Places) && !evaluates;
+  options.GenerateLimitNormals = this->GenerateLimitNormals && !this->Places && !evaluates;
+  options.GenerateTangents = this->GenerateTangents && !this->Places && !evaluates;
   options.Use32BitIds = this->Use32BitIds;
   options.Cache = this->CacheOperator && !this->Places ? this->Cache.get() : nullptr;
   options.Places = this->Places;
+}
+
+void vtkUniformSubdivisionAlgorithm::AskForShading(
+  subdivision::LevelOptions& options, bool areCheap) const
+{
+  if (!this->GenerateLimitNormals)
+  {
+    options.NormalsWhereSmooth = this->SmoothShading && areCheap && options.Levels > 0 &&
+      !this->WritesCurvedCells() && !options.Others;
+    options.GenerateLimitNormals = options.NormalsWhereSmooth;
+  }
+}
+
+/// Nodes are points of further levels.
+void vtkUniformSubdivisionAlgorithm::SetLevelsOfNodes(subdivision::LevelOptions& options) const
+{
+  const int steps = subdivision::CountStepsOfNodes(this->GetOrderOfNodes());
+  options.Levels = std::max(this->NumberOfLevels, this->LeastLevels) + steps;
+  options.MaximumNumberOfCells = this->MaximumNumberOfCells > VTK_ID_MAX >> (3 * steps)
+    ? VTK_ID_MAX
+    : this->MaximumNumberOfCells << (3 * steps);
+}
+
+/// Evaluates the nodes of cells that were made, and keeps them until Finish.
+bool vtkUniformSubdivisionAlgorithm::EvaluateNodes(
+  vtkPointSet* made, subdivision::LevelOptions& options, const Work& subdivide)
+{
+  const std::string order = "CellOrder " + std::to_string(this->CellOrder);
+  if (this->SharesRanks() || this->InterfaceValues == DISCONTINUOUS_VALUES ||
+    (this->MergePoints && this->MergedValues == KEEP_VALUES))
+  {
+    options.Fail(order +
+      " is for one process and for values that do not jump, as its nodes are no points of levels: "
+      "set CellOrder to 1, 2 or 4.");
+    return false;
+  }
+  subdivision::CurvedNodes nodes;
+  subdivision::NodePlaces places;
+  if (!subdivision::ListNodes(
+        made, subdivision::CurvedKind::Lagrange, this->CellOrder, options.Fail, nodes, places))
+  {
+    return false;
+  }
+  // The same filter goes on with its own output: the stamp has features and control values.
+  subdivision::LevelOptions before = options;
+  vtkNew<vtkPolyData> points;
+  subdivision::PlaceRequest request{ places.Cells, places.Parameters, points };
+  request.HasDerivatives = false;
+  options.Places = &request;
+  options.Levels = 0;
+  options.ProjectToLimit = true;
+  options.Cache = nullptr;
+  options.GenerateOriginalIds = options.GenerateGlobalIds = false;
+  options.Interpolation = subdivision::InterpolationOptions();
+  const auto scratch = vtkSmartPointer<vtkPointSet>::Take(made->NewInstance());
+  bool isDone = this->ReadFeatureOptions(made, options);
+  options.Features.Marks = subdivision::MarkOptions();
+  isDone = isDone && subdivide(made, scratch);
+  options = std::move(before);
+  nodes.Points = points;
+  subdivision::KeepNodes(std::move(nodes), made, *this->Nodes);
+  return isDone;
 }
 
 int vtkUniformSubdivisionAlgorithm::RunLevels(vtkInformationVector** inputVector,
@@ -137,7 +250,9 @@ int vtkUniformSubdivisionAlgorithm::RunLevels(vtkInformationVector** inputVector
 {
   const bool writesBezierCells = this->WritesBezierCells();
   const bool addsBounds = this->AddsBounds();
-  return this->Bezier->Run(writesBezierCells ? this->NumberOfLevels : -1, options,
+  const bool evaluates = this->EvaluatesNodes();
+  this->Nodes->clear();
+  const int result = this->Bezier->Run(writesBezierCells ? this->NumberOfLevels : -1, options,
     [&]
     {
       return this->Run(inputVector, outputVector, options, isLocal ? "" : nullptr,
@@ -149,9 +264,16 @@ int vtkUniformSubdivisionAlgorithm::RunLevels(vtkInformationVector** inputVector
           {
             this->Bezier->SetLevels(options);
           }
-          return subdivide(input, output) && (!addsBounds || addBounds(input, output));
+          else if (this->WritesNodes())
+          {
+            this->SetLevelsOfNodes(options);
+          }
+          return subdivide(input, output) && (!addsBounds || addBounds(input, output)) &&
+            (!evaluates || this->EvaluateNodes(output, options, subdivide));
         });
     });
+  this->Nodes->clear();
+  return result;
 }
 
 void vtkUniformSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
@@ -160,9 +282,11 @@ void vtkUniformSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "ProjectToLimit: " << this->ProjectToLimit << "\n";
   os << indent << "GenerateLimitNormals: " << this->GenerateLimitNormals << "\n";
+  os << indent << "SmoothShading: " << this->SmoothShading << "\n";
   os << indent << "GenerateTangents: " << this->GenerateTangents << "\n";
   os << indent << "GenerateErrorBounds: " << this->GenerateErrorBounds << "\n";
   os << indent << "OutputCells: " << this->OutputCells << "\n";
+  os << indent << "CellOrder: " << this->CellOrder << "\n";
   os << indent << "BezierTolerance: " << this->BezierTolerance << "\n";
   os << indent << "Use32BitIds: " << this->Use32BitIds << "\n";
   os << indent << "CacheOperator: " << this->CacheOperator << "\n";

@@ -14,6 +14,7 @@
 
 #include <functional> // for std::function
 #include <memory>     // for std::unique_ptr
+#include <vector>
 
 class vtkDataArray;
 class vtkIdTypeArray;
@@ -23,6 +24,7 @@ namespace subdivision
 {
 class BezierRounds;
 class KeptEntries;
+struct CurvedNodes;
 struct LevelOptions;
 struct PlaceRequest;
 }
@@ -37,7 +39,7 @@ public:
   ///@{
   /**
    * Number of subdivision steps, 0 to 20, default 1. In vtkMultiDimensionalSubdivision each makes 8
-   * times as many tetrahedra, 4 times as many triangles, twice as many lines. There 0 gives the
+   * times as many solids, 4 times as many faces, twice as many lines. There 0 gives the cells or
    * simplices of the input, not smoothed unless ProjectToLimit is on, with the control points of
    * InterpolatePoints if that is on.
    */
@@ -85,11 +87,27 @@ public:
    * DOO_SABIN and MIDEDGE, which keep no points, take the faces of the level. All this depends on
    * coordinates, not on numbers of points. Normals are zero only inside solids: no surface is there
    * that they would be perpendicular to. Filters that make one, by cutting or clipping, have to
-   * make normals, too. Off by default.
+   * make normals, too. A point has one normal for all faces there, so a picture is blended along
+   * creases and joints. Off by default.
    */
   vtkSetMacro(GenerateLimitNormals, bool);
   vtkGetMacro(GenerateLimitNormals, bool);
   vtkBooleanMacro(GenerateLimitNormals, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether surfaces, and the outsides of solids, are shaded smoothly at once: without
+   * GenerateLimitNormals, too, the output has `LimitNormals` where a picture is right by them, and
+   * silently none elsewhere. A picture is right where nothing is sharp: from one level on all cells
+   * are faces or all are solids, surfaces have two sides, there are no creases, corners and joints,
+   * and one partition has the whole. This is for LOOP and CATMULL_CLARK of vtkSurfaceSubdivision,
+   * and for all but LINEAR of vtkMultiDimensionalSubdivision, whose normals are cheap. Where memory
+   * is short there are none. On by default.
+   */
+  vtkSetMacro(SmoothShading, bool);
+  vtkGetMacro(SmoothShading, bool);
+  vtkBooleanMacro(SmoothShading, bool);
   ///@}
 
   ///@{
@@ -128,13 +146,13 @@ public:
    * vtkMultiDimensionalSubdivision parts of cells are looked at up to 3 steps deeper (4 in
    * triangles, 8 in lines) where bounds are more than 2.5 times the least possible truth, some
    * milliseconds for each part. With a warning the filter makes no bounds where it has no proof:
-   * with Bezier cells, KeepCellTypes, creases that are sharp for more than one level after the
-   * last, and InterfaceValues = DISCONTINUOUS_VALUES; of surface schemes only for LOOP,
-   * CATMULL_CLARK, SQRT_THREE and LINEAR, without negative weights (flatness at corners), seams
-   * that are joined, faces that are no quads if NumberOfLevels = 0 (CATMULL_CLARK), borders and
-   * creases after an odd NumberOfLevels (SQRT_THREE), and on one rank. With VolumeScheme = TET_OCT
-   * each of the four tetrahedra that an octahedron is written as has a bound of its own. Off by
-   * default.
+   * with Bezier cells, KeepCellTypes, VolumeScheme = HYBRID, creases that are sharp for more than
+   * one level after the last, and InterfaceValues = DISCONTINUOUS_VALUES; of surface schemes only
+   * for LOOP, CATMULL_CLARK, SQRT_THREE and LINEAR, without negative weights (flatness at corners),
+   * seams that are joined, faces that are no quads if NumberOfLevels = 0 (CATMULL_CLARK), borders
+   * and creases after an odd NumberOfLevels (SQRT_THREE), and on one rank. With VolumeScheme =
+   * TET_OCT each of the four tetrahedra that an octahedron is written as has a bound of its own.
+   * Off by default.
    */
   vtkSetMacro(GenerateErrorBounds, bool);
   vtkGetMacro(GenerateErrorBounds, bool);
@@ -144,17 +162,21 @@ public:
   enum OutputCellTypes
   {
     LINEAR_CELLS,
-    BEZIER_CELLS
+    BEZIER_CELLS,
+    QUADRATIC_CELLS,
+    LAGRANGE_CELLS
   };
   ///@{
   /**
-   * Which cells the output has: LINEAR_CELLS (0, the default) or BEZIER_CELLS (1), which are the
-   * limit itself: VTK_BEZIER_CURVE of degree 3, VTK_BEZIER_TRIANGLE of degree 4,
-   * VTK_BEZIER_TETRAHEDRON of degree 5 and, for CATMULL_CLARK, VTK_BEZIER_QUADRILATERAL of degree
-   * 3, exact where the limit of a cell is a polynomial, which is where all is regular. The output
-   * of vtkSurfaceSubdivision then is a vtkUnstructuredGrid (GetUnstructuredGridOutput). Each cell
-   * of the input, as a simplex, becomes one of them if the limit differs from it by no more than
-   * BezierTolerance; else its children do, at most NumberOfLevels times, so that cells become
+   * Which cells the output has: LINEAR_CELLS (0, the default), BEZIER_CELLS (1), QUADRATIC_CELLS
+   * (2) or LAGRANGE_CELLS (3).
+   *
+   * BEZIER_CELLS are the limit itself: VTK_BEZIER_CURVE of degree 3, VTK_BEZIER_TRIANGLE of degree
+   * 4, VTK_BEZIER_TETRAHEDRON of degree 5 and, for CATMULL_CLARK, VTK_BEZIER_QUADRILATERAL of
+   * degree 3, exact where the limit of a cell is a polynomial, which is where all is regular. The
+   * output of vtkSurfaceSubdivision then is a vtkUnstructuredGrid (GetUnstructuredGridOutput). Each
+   * cell of the input, as a simplex, becomes one of them if the limit differs from it by no more
+   * than BezierTolerance; else its children do, at most NumberOfLevels times, so that cells become
    * smaller around extraordinary vertices, creases and joints. A face that is no quad is split by
    * CATMULL_CLARK in any case. Cells of the same size share the control points of their common
    * edges and faces. All have one degree: in a mesh with triangles lines have degree 4, too, and in
@@ -170,13 +192,49 @@ public:
    * that some cell needs. MaximumNumberOfCells counts Bezier cells, on each rank its own. There are
    * no global ids and no ghost cells of the pipeline, and the next filter reads the corners of the
    * cells like any other mesh. Without effect on ComputeOperator. With VolumeScheme = TET_OCT or
-   * KeepCellTypes, and with surface schemes other than LOOP, CATMULL_CLARK and LINEAR, a warning
-   * says that cells stay linear.
+   * HYBRID or KeepCellTypes, and with surface schemes other than LOOP, CATMULL_CLARK and LINEAR, a
+   * warning says that cells stay linear.
+   *
+   * QUADRATIC_CELLS and LAGRANGE_CELLS are for solvers: each cell of the level NumberOfLevels
+   * becomes one curved cell, whose nodes are on the limit, where the parameters divide the cell
+   * evenly, as EvaluateLimit has them. QUADRATIC_CELLS have nodes at corners and edges
+   * (VTK_QUADRATIC_EDGE, _TRIANGLE, _QUAD, _TETRA, _PYRAMID, _WEDGE, _HEXAHEDRON), LAGRANGE_CELLS
+   * all nodes of CellOrder (VTK_LAGRANGE_CURVE and so on; VTK has no such pyramids, which are an
+   * error). Cells that share an edge or face, of any dimension, share its nodes; values of all
+   * arrays are those at the nodes, and nodes are doubled where values jump. An octahedron is four
+   * tetrahedra, and there is no `OctahedronId`. Points that are no nodes are left out; cells have
+   * no global ids. The nodes are the points of one or two more levels, which take their time and
+   * memory. With all volume schemes, and of surface schemes with LOOP, CATMULL_CLARK (for which 0
+   * levels are 1 if a face is no quad) and LINEAR.
+   *
+   * Each solid is proved to be nowhere inside out: the Bernstein coefficients of the determinant of
+   * its Jacobian are bounds on it, and the cell is halved until they decide (Johnen, Remacle and
+   * Geuzaine 2013). Cell arrays: `ScaledJacobian` (vtkDoubleArray; a lower bound on the
+   * determinant, divided by its mean; 1 for cells that are no solids) and `Valid`
+   * (vtkUnsignedCharArray, 0 or 1). Where a solid is not valid, its nodes go back towards the
+   * straight cell by the smallest part, in steps of 1/32, that makes it valid; nodes on the
+   * boundary go last. A warning tells how many and how far. Solids of several blocks or ranks,
+   * which share nodes, are not repaired: a warning counts them. A solid that is inside out even if
+   * it is straight is an error that names it; the output then has it, with 0 in `Valid`.
    */
-  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, BEZIER_CELLS);
+  vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
   vtkGetMacro(OutputCells, int);
   void SetOutputCellsToLinear() { this->SetOutputCells(LINEAR_CELLS); }
   void SetOutputCellsToBezier() { this->SetOutputCells(BEZIER_CELLS); }
+  void SetOutputCellsToQuadratic() { this->SetOutputCells(QUADRATIC_CELLS); }
+  void SetOutputCellsToLagrange() { this->SetOutputCells(LAGRANGE_CELLS); }
+  ///@}
+
+  ///@{
+  /**
+   * The order of the cells of OutputCells = LAGRANGE_CELLS, 1 to 6, default 2. QUADRATIC_CELLS have
+   * 2. Nodes of the orders 3, 5 and 6 are no points of levels: each is evaluated by itself, as
+   * EvaluateLimit does, in the first cell that has it. That takes far longer. It is an error on
+   * several ranks and with values that jump; with VolumeScheme = LINEAR and KeepCellTypes, and by
+   * LINEAR of vtkSurfaceSubdivision, a warning says that cells stay linear.
+   */
+  vtkSetClampMacro(CellOrder, int, 1, 6);
+  vtkGetMacro(CellOrder, int);
   ///@}
 
   ///@{
@@ -212,10 +270,10 @@ public:
   /**
    * Computes the matrix by which the filter moves points, with the present options on the present
    * input, which is updated. Returns false after an error: the input must be a mesh in one piece,
-   * without KeepCellTypes, InterpolatePoints, InterpolateArrays and InterfaceValues. With
-   * CacheOperator an update before has made most of it, and the next one can use it. Points are
-   * numbered as OutputDimensions = ALL_DIMENSIONS numbers them. With JoinSeams it is the operator
-   * of the points, and arrays have another at seams.
+   * without InterpolatePoints, InterpolateArrays and InterfaceValues. With CacheOperator an update
+   * before has made most of it, and the next one can use it. Points are numbered as
+   * OutputDimensions = ALL_DIMENSIONS numbers them. With JoinSeams it is the operator of the
+   * points, and arrays have another at seams.
    */
   virtual bool ComputeOperator(vtkSubdivisionOperator* result);
 
@@ -239,7 +297,7 @@ protected:
   ~vtkUniformSubdivisionAlgorithm() override;
 
   bool CanInterpolate() const override { return true; }
-  bool HasGhostLayers() const override { return !this->WritesBezierCells(); }
+  bool HasGhostLayers() const override { return !this->WritesCurvedCells(); }
   void Inspect(vtkDataObject* input, vtkDataObject* readable) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
 
@@ -249,8 +307,14 @@ protected:
   virtual bool MakesQuads() const { return false; }
   /// Whether this execution has an output, and that has Bezier cells.
   bool WritesBezierCells() const;
-  /// Makes Bezier cells of an output; `isWhole`: no cells were left out.
-  vtkSmartPointer<vtkDataObject> MakeBezierCells(vtkDataObject* made, bool isWhole);
+  /// The same of cells with nodes on the limit, and of any of both.
+  virtual const char* DescribeCurvedNeeds() const { return nullptr; }
+  bool WritesNodes() const;
+  /// Whether nodes that are asked for are no points of levels.
+  bool HasNodesBetweenLevels() const;
+  bool WritesCurvedCells() const { return this->WritesBezierCells() || this->WritesNodes(); }
+  /// Makes curved cells of an output; `isWhole`: no cells were left out.
+  vtkSmartPointer<vtkDataObject> MakeCurvedCells(vtkDataObject* made, bool isWhole);
   /// Whether this execution has an output with error bounds.
   bool AddsBounds() const;
   /// Evaluates the limit at places in an execution of its own. Returns false after an error.
@@ -258,6 +322,8 @@ protected:
 
   /// Reads the options above, and warns where they are ignored.
   void ReadLevelOptions(subdivision::LevelOptions& options);
+  /// Asks for normals where SmoothShading wants them, if they are cheap.
+  void AskForShading(subdivision::LevelOptions& options, bool areCheap) const;
   using Work = std::function<bool(vtkPointSet*, vtkPointSet*)>;
   /// Run of vtkSubdivisionAlgorithm with these options, as often as Bezier cells need it: calls
   /// `subdivide`, and then `addBounds` if AddsBounds.
@@ -267,17 +333,27 @@ protected:
   int NumberOfLevels = 1;
   bool ProjectToLimit = false;
   bool GenerateLimitNormals = false;
+  bool SmoothShading = true;
   bool GenerateTangents = false;
   bool GenerateErrorBounds = false;
   int OutputCells = LINEAR_CELLS;
+  int CellOrder = 2;
   double BezierTolerance = 1e-4;
   bool CacheOperator = true;
   bool Use32BitIds = false;
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
 private:
+  int GetOrderOfNodes() const;
+  void SetLevelsOfNodes(subdivision::LevelOptions& options) const;
+  bool EvaluatesNodes() const { return this->WritesNodes() && this->HasNodesBetweenLevels(); }
+  bool EvaluateNodes(vtkPointSet* made, subdivision::LevelOptions& options, const Work& subdivide);
+
   std::unique_ptr<subdivision::KeptEntries> Cache;
   std::unique_ptr<subdivision::BezierRounds> Bezier;
+  int LeastLevels = 0; ///< that cells with nodes need
+  /// Of the cells that this execution made, where they are no points of levels.
+  std::unique_ptr<std::vector<subdivision::CurvedNodes>> Nodes;
 
   vtkUniformSubdivisionAlgorithm(const vtkUniformSubdivisionAlgorithm&) = delete;
   void operator=(const vtkUniformSubdivisionAlgorithm&) = delete;

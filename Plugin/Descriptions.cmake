@@ -148,8 +148,9 @@ function (describe variable)
   set(made "${PROJECT_BINARY_DIR}/Descriptions")
   set(descriptions)
   foreach (name IN ITEMS AdaptiveSurfaceSubdivision ExtractDimensions MultiDimensionalSubdivision RedGreenRefinement
-      SimplicialComplexTopology SubdivisionCageAround SubdivisionCageSource SubdivisionDeformation SubdivisionLabelSolid
-      SubdivisionLimitProbe SubdivisionModelSource SubdivisionSmoothness SurfaceSubdivision)
+      SimplicialComplexTopology SubdivisionCageAround SubdivisionCageSource SubdivisionDeformation SubdivisionEdit
+      SubdivisionLabelSolid SubdivisionLimitProbe SubdivisionMeasures SubdivisionModelSource SubdivisionSampler
+      SubdivisionSmoothness SurfaceSubdivision)
     read_proxy("${name}")
     set(head "${proxy_head}")
     set(tail "${proxy_tail}")

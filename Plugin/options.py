@@ -118,6 +118,13 @@ class Filter:
         """Without what all of them have in common."""
         return re.sub(r"^Subdivision(?=[A-Z])|Source$", "", self.name)
 
+    def in_words(self, text, name):
+        """A text of the panel, in which `name` gives the options the names that an interface has."""
+        known = {said: name(other) for other in self.options for said in (other.name, other.shown)
+                 if re.search("[a-z0-9 ][A-Z]", said)}
+        words = "|".join(map(re.escape, sorted(known, key=len, reverse=True)))
+        return re.sub(rf"\b(?:{words})\b", lambda found: known[found[0]], text) if known else text
+
     def criteria(self):
         """Of each option RefineByX the number that belongs to it, if any: the first that panels show with it."""
         found, last = {}, None

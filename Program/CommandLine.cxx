@@ -4,6 +4,9 @@
 #include "Names.h"
 #include "Settings.h"
 
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
@@ -43,7 +46,7 @@ public:
           DidYouMean(argument.substr(0, argument.find('=')), this->GetNames()) +
           "; options begin with --, and a file of this name is ./" + argument);
       }
-      else
+      else if (this->At > 0 || !this->TakeFilter(argument))
       {
         this->Names.push_back(argument);
       }
@@ -57,6 +60,25 @@ public:
   }
 
 private:
+  /// Takes a word that no file could be for the name of a filter. Returns whether it is one.
+  bool TakeFilter(const std::string& word)
+  {
+    if (word.find_first_of("./\\") != std::string::npos ||
+      std::filesystem::exists(std::filesystem::u8path(word)))
+    {
+      return false;
+    }
+    try
+    {
+      this->AddStage(FindFilter(word));
+    }
+    catch (const UsageError&) // it is taken for a file
+    {
+      return false;
+    }
+    return this->Result.NamesFilter = true;
+  }
+
   void ReadOption(const std::string& argument)
   {
     const std::size_t at = argument.find('=');
@@ -212,8 +234,13 @@ private:
   void TakeFiles()
   {
     const bool hasInput = this->Result.Stages.front().What->HasInput;
+    const bool makesTable = MakesTable(this->Result);
+    if (makesTable && this->Result.Info)
+    {
+      throw UsageError("--info tells of meshes that come out, but the last filter makes a table");
+    }
     const std::size_t wanted = (hasInput ? 1 : 0) + 1;
-    const std::size_t least = this->Result.Info ? wanted - 1 : wanted;
+    const std::size_t least = this->Result.Info || makesTable ? wanted - 1 : wanted;
     if (this->Names.size() < least || this->Names.size() > wanted)
     {
       throw UsageError(std::string("the command line has to name ") +
@@ -228,7 +255,7 @@ private:
     if (this->Names.size() == wanted)
     {
       this->Result.Output = this->Names.back();
-      CheckWritable(this->Result.Output);
+      CheckWritable(this->Result.Output, makesTable);
       this->CheckOther(this->Result.Input);
       for (const Stage& stage : this->Result.Stages)
       {
@@ -260,6 +287,13 @@ private:
   vtkAlgorithm* Refining = nullptr;
 };
 
+}
+
+bool MakesTable(const Command& command)
+{
+  const char* const type = command.Stages.back().Algorithm->GetOutputPortInformation(0)->Get(
+    vtkDataObject::DATA_TYPE_NAME());
+  return type && std::string(type) == "vtkTable";
 }
 
 Command ReadCommandLine(const std::vector<std::string>& arguments)

@@ -34,10 +34,13 @@ struct Command
   bool Info = false;
   bool Quiet = false;
   std::string Input;  ///< empty for a source
-  std::string Output; ///< may be empty with Info
+  std::string Output; ///< may be empty with Info, or where a table is made
   std::vector<Stage> Stages;
   bool NamesFilter = false; ///< else the filter is that by default
 };
+
+/// Whether the last filter makes a table, and no mesh. It is printed where there is no output file.
+bool MakesTable(const Command& command);
 
 /// Throws UsageError.
 Command ReadCommandLine(const std::vector<std::string>& arguments);

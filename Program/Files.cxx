@@ -3,6 +3,7 @@
 #include "Conversion.h"
 #include "Messages.h"
 #include "Names.h"
+#include "Tables.h"
 #include "TextTable.h"
 #include "WholeFiles.h"
 #include "Writers.h"
@@ -192,6 +193,17 @@ const std::map<std::string, Format>& GetWriters()
   return writers;
 }
 
+const std::map<std::string, Format>& GetTableWriters()
+{
+  static const std::map<std::string, Format> writers{
+    { ".csv", { AsItIs, WriteCsv, "vtkTable" } },
+    { ".json", { AsItIs, WriteJson, "vtkTable" } },
+    { ".vtk", { AsItIs, WriteLegacy, "vtkTable" } },
+    { ".vtt", { AsItIs, WriteXml, "vtkTable" } },
+  };
+  return writers;
+}
+
 template <typename Map>
 std::string List(const Map& map)
 {
@@ -247,9 +259,9 @@ void CheckReadableTable(const std::string& name)
   Check(GetTableReaders(), name, "read");
 }
 
-void CheckWritable(const std::string& name)
+void CheckWritable(const std::string& name, bool isTable)
 {
-  Check(GetWriters(), name, "write");
+  Check(isTable ? GetTableWriters() : GetWriters(), name, isTable ? "write the table" : "write");
 }
 
 void CheckPlace(const std::string& name)
@@ -293,6 +305,11 @@ std::string ListWritable()
   return List(GetWriters());
 }
 
+std::string ListWritableTables()
+{
+  return List(GetTableWriters());
+}
+
 vtkSmartPointer<vtkDataObject> ReadFile(const std::string& name)
 {
   Data data = Read(GetReaders(), name);
@@ -331,7 +348,8 @@ vtkSmartPointer<vtkDataObject> ReadTable(const std::string& name)
 void WriteFile(vtkDataObject* data, const std::string& name)
 {
   const int before = GetNumberOfErrors();
-  const Format& format = GetWriters().at(GetEnding(name));
+  const Format& format =
+    (vtkTable::SafeDownCast(data) ? GetTableWriters() : GetWriters()).at(GetEnding(name));
   if (format.Class && !data->IsA(format.Class))
   {
     throw Failure("the output is a " + std::string(data->GetClassName()) + ", which " +

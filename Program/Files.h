@@ -24,7 +24,7 @@ struct Failure : std::runtime_error
 /// Throw UsageError where no reader or writer belongs to the end of the name.
 void CheckReadable(const std::string& name);
 void CheckReadableTable(const std::string& name);
-void CheckWritable(const std::string& name);
+void CheckWritable(const std::string& name, bool isTable = false);
 
 /// Throws Failure where no file of this name can be written: the folder does not exist, for
 /// instance.
@@ -41,10 +41,11 @@ vtkSmartPointer<vtkDataObject> ReadTable(const std::string& name);
 /// Failure, also if not everything could be stored.
 void WriteFile(vtkDataObject* data, const std::string& name);
 
-/// The ends of names that can be read and written, for the help.
+/// The ends of names that can be read and written, for the help; of tables others.
 std::string ListReadable();
 std::string ListReadableTables();
 std::string ListWritable();
+std::string ListWritableTables();
 
 }
 

@@ -34,6 +34,12 @@ void PrintWrapped(const std::string& text, const std::string& indent)
   }
 }
 
+/// The words of ParaView's panels and menus, where they are others.
+std::string Label(const char* label, const char* name)
+{
+  return Plain(label) == Plain(name) ? std::string() : "   (" + std::string(label) + ")";
+}
+
 void PrintOption(const Option& option)
 {
   const std::string value = DescribeValue(option);
@@ -42,11 +48,7 @@ void PrintOption(const Option& option)
   {
     std::cout << ", --" << option.ShortName;
   }
-  if (Plain(option.Label) != Plain(option.Name))
-  {
-    std::cout << "   (" << option.Label << ")";
-  }
-  std::cout << "\n";
+  std::cout << Label(option.Label, option.Name) << "\n";
   PrintWrapped(option.Help, "      ");
 }
 
@@ -60,14 +62,16 @@ void PrintHelp()
 Makes a coarse mesh of solids, surfaces and curves smooth and fine, or refines,
 deforms and examines it.
 
-  subdivide mesh.vtu smooth.vtu --levels 3 --scheme tetoct
+  subdivide mesh.vtu smooth.vtu --levels 3 --scheme even
   subdivide bunny.ply fine.ply --filter surface --levels 2
-  subdivide mesh.vtu fine.vtu --filter red-green --placement limit --refine curvature=10
+  subdivide mesh.vtu fine.vtu --filter red-green --shape smooth --refine curvature=10
   subdivide ship.vtu --filter model --model ship --filter multi --levels 2
+  subdivide measure part.vtu
 
   --filter NAME     what to do, a beginning of one of the names below;
                     several filters work one after another, each with the
-                    options that follow it
+                    options that follow it; a first argument that is such a
+                    name, and no file, does the same
   --refine WHAT[=NUMBER]  split where this criterion asks for it, and not where
                     the filter does by default; may be given several times
   --info            print what would come out (cells, points, memory, time),
@@ -84,7 +88,7 @@ Filters, and sources, which have no input:
 )";
   for (const Filter& filter : GetFilters())
   {
-    std::cout << "\n  " << filter.Name << "\n";
+    std::cout << "\n  " << filter.Name << Label(filter.Label, filter.Name) << "\n";
     PrintWrapped(filter.ShortHelp, "      ");
   }
   std::cout << "\nReads:\n";
@@ -94,6 +98,8 @@ Filters, and sources, which have no input:
   std::cout << "Writes (.obj .ply .stl .vtp: surfaces, also those of solids; .obj .ply "
                ".stl\nwithout arrays):\n";
   PrintWrapped(ListWritable(), "  ");
+  std::cout << "Writes of tables:\n";
+  PrintWrapped(ListWritableTables(), "  ");
   std::cout << "\nThe exit code is 0, 1 if something failed, or 2 if the command line is wrong.\n";
 }
 

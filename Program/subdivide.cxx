@@ -6,7 +6,9 @@
 #include "Messages.h"
 #include "Names.h"
 #include "Pipeline.h"
+#include "Tables.h"
 
+#include "vtkTable.h"
 #include "vtkVersion.h"
 
 #include <iostream>
@@ -77,6 +79,10 @@ int Run(const std::vector<std::string>& arguments)
     if (command.Info)
     {
       PrintInfo(command);
+    }
+    else if (command.Output.empty())
+    {
+      PrintTable(vtkTable::SafeDownCast(Update(command)), std::cout);
     }
     else
     {

@@ -54,6 +54,10 @@ def default(option):
     return ",".join(option.default) if option.kind in TYPES else ""
 
 
+def short_name(option):
+    return "--" + options.split(option.alias or option.name, "-")
+
+
 def name_in_messages(one):
     return options.split(one.short_name, "-") if isinstance(one, options.Filter) else "--" + options.split(one.name, "-")
 
@@ -63,7 +67,7 @@ def option_lines(one, option):
                           for pairs in (option.entries, option.spellings))
     array = f"{option.index}, {option.association}" if option.kind == "array" else "0, 0"
     return f"""  made.Options.push_back({{ {quoted(option.name)}, {quoted(option.label)}, {quoted(options.split(option.name, '-'))},
-    {quoted(options.split(option.alias, '-'))}, Kind::{KINDS[option.kind]}, {quoted(option.help)},
+    {quoted(options.split(option.alias, '-'))}, Kind::{KINDS[option.kind]}, {quoted(one.in_words(option.help, short_name))},
     {quoted(default(option))}, {option.count}, {{ {entries} }}, {{ {spellings} }}, {option.port}, {array},
     {setter(one, option)},
     {getter(one, option)}, {LIMITS.get(option.kind, "std::numeric_limits<double>::max()")} }});
@@ -77,7 +81,7 @@ def filter_lines(one, filters):
     criteria = "".join(f"""  made.Criteria.push_back({{ {quoted(options.split(key[len('RefineBy'):], '-'))}, {quoted(key)}, \
 {quoted(value or '')} }});
 """ for key, value in one.criteria().items())
-    help_ = "\n\n".join(one.help)
+    help_ = one.in_words("\n\n".join(one.help), short_name)
     return f"""Filter Make{one.name}()
 {{
   Filter made{{ {quoted(options.split(one.short_name, '-'))}, {quoted(one.label)}, {quoted(one.short_help)},

@@ -5,50 +5,61 @@ import json
 
 # What filters make of a data set; others make one of the type that they are given.
 GRID = "vtkUnstructuredGrid"
+TABLE = "Dict[str, NDArray[Any]]"
+IMAGE = "vtkImageData"
 OUTPUTS = {
     "vtkAdaptiveSurfaceSubdivision": "vtkPolyData",
     "vtkExtractDimensions": None,
     "vtkSubdivisionDeformation": None,
+    "vtkSubdivisionEdit": None,
     "vtkSubdivisionLimitProbe": "vtkPolyData",
+    "vtkSubdivisionMeasures": TABLE,
+    "vtkSubdivisionSampler": IMAGE,
     "vtkSurfaceSubdivision": "vtkPolyData",
 }
 INPUTS = {
-    "cells": "Any",
-    "point_data": "Optional[Mapping[str, Any]]",
-    "cell_data": "Optional[Mapping[str, Any]]",
+    "cells": "Optional[Cells]",
+    "point_data": "Optional[Data]",
+    "cell_data": "Optional[Data]",
     "texture_coordinates": "Optional[str]",
     "normals": "Optional[str]",
     "spacing": "Optional[Sequence[float]]",
     "origin": "Optional[Sequence[float]]",
-    "creases": "Any",
+    "creases": "Optional[Creases]",
+}
+OTHERS = {
+    "array": "Optional[str]",
+    "function": "Optional[vtkImplicitFunction]",
+    "mesh": "Optional[AnyMesh]",
+    "selection": "Optional[Selection]",
+    "table": "Optional[Table]",
 }
 HEAD = """# Made by Python/write_functions.py from the files of Plugin. Edit those.
 # mypy: disable-error-code=misc
 # Where VTK has no types, its classes are Any, and overloads seem to be the same.
-from os import PathLike
-from typing import Any, Callable, Literal, Mapping, Optional, Sequence, Tuple, TypedDict, TypeVar, Union, overload
+from typing import Any, Dict, List, Literal, Mapping, Optional, Sequence, TypedDict, TypeVar, Union, overload
 
-from numpy.typing import ArrayLike
+from numpy.typing import NDArray
 from typing_extensions import Unpack
 from vtkmodules.vtkCommonDataModel import (
-    vtkCompositeDataSet, vtkDataObject, vtkImplicitFunction, vtkMultiBlockDataSet, vtkPolyData, vtkUnstructuredGrid)
+    vtkCompositeDataSet, vtkDataObject, vtkImageData, vtkImplicitFunction, vtkMultiBlockDataSet, vtkPolyData,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
-from .arrays import Arrays
+from .arrays import Arrays, Image
+from .kinds import AnyMesh, Cells, Creases, Data, Given, Progress, Selection, Table
 
 __version__: str
 __all__ = {names}
 
 _Data = TypeVar("_Data", bound=vtkDataObject)
-_Given = Union[ArrayLike, Tuple[ArrayLike, Any], Arrays, str, PathLike[str]]
-_Progress = Union[None, bool, Callable[[float], Any]]
-_Criteria = Union[None, str, Mapping[str, Any]]
 
 """
 
 
 def value_type(option):
     """The type of an argument."""
-    values = ", ".join(json.dumps(text, ensure_ascii=False) for text, _ in option.entries)
+    values = ", ".join(text if text.isdigit() else json.dumps(text, ensure_ascii=False) for text, _ in option.entries)
     if option.kind in ("bool", "enum"):
         return "bool" if option.kind == "bool" else f"Literal[{values}]"
     if option.kind == "set":
@@ -58,7 +69,7 @@ def value_type(option):
         return one if option.count == 1 else f"Sequence[{one}]"
     if option.kind == "strings":
         return "Sequence[str]"
-    return {"array": "Optional[str]", "function": "Optional[vtkImplicitFunction]"}.get(option.kind, "Any")
+    return OTHERS[option.kind]
 
 
 def more_options(one):
@@ -68,30 +79,41 @@ def more_options(one):
     return f"class _{one.name}_options(TypedDict, total=False):\n{''.join(lines) or '    pass'}\n"
 
 
+def criteria_type(one):
+    """One of the criteria, or several with their numbers."""
+    names = f"Literal[{', '.join(map(json.dumps, one.criteria))}]"
+    return f"Union[None, {names}, Mapping[{names}, Optional[float]]]"
+
+
 def function(one):
     """A function with its types, for each kind of mesh."""
     front, back = one.parameters()
-    keys = ["refine: _Criteria = ..."] if one.criteria else []
+    keys = [f"refine: {criteria_type(one)} = ..."] if one.criteria else []
     keys += [f"{name}: {value_type(option)} = ..." for name, option in one.shown.items()]
     keys += [f"{name}: {INPUTS[name]} = ..." for name in back]
-    keys += ["progress: _Progress = ...", f"**options: Unpack[_{one.name}_options]"]
+    keys += ["progress: Progress = ...", f"**options: Unpack[_{one.name}_options]"]
     output = OUTPUTS.get(one.filter.cls, GRID)
-    # What is none of these is Any: a list of data sets, a filter, a mesh of meshio or PyVista.
+    # A list comes out as one, of a filter what it makes.
     kinds = [
-        ("_Given", "Arrays"),
+        ("Given", "Arrays"),
         ("vtkCompositeDataSet", "vtkMultiBlockDataSet"),
         ("vtkDataObject", output),
-        ("Any", "Any"),
+        ("Sequence[vtkDataObject]", f"List[{output}]"),
+        ("vtkAlgorithm", f"Union[{output}, vtkMultiBlockDataSet]"),
     ]
     if not front:
         kinds = [(None, GRID)]
-    if output is None:
-        kinds = [("_Given", "Arrays"), ("_Data", "_Data"), ("Any", "Any")]
+    elif output is None:
+        kinds = [("Given", "Arrays"), ("_Data", "_Data"), ("Sequence[_Data]", "List[_Data]"), ("vtkAlgorithm", "vtkDataObject")]
+    elif output == TABLE:
+        kinds = [("AnyMesh", TABLE)]
+    elif output == IMAGE:
+        kinds = [("Given", "Image"), ("vtkDataObject", IMAGE), ("vtkAlgorithm", IMAGE)]
     made = more_options(one)
     for given, found in kinds:
         first = [f"mesh: {given}" if name == "mesh" else f"{name}: {INPUTS[name]} = ..." for name in front]
         arguments = "".join(f"    {argument},\n" for argument in first + ["*"] + keys[:-1]) + f"    {keys[-1]}\n"
-        made += ("@overload\n" if front else "") + f"def {one.name}(\n{arguments}) -> {found}: ...\n"
+        made += ("@overload\n" if len(kinds) > 1 else "") + f"def {one.name}(\n{arguments}) -> {found}: ...\n"
     return made + "\n"
 
 

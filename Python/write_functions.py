@@ -19,7 +19,7 @@ SHOWN = 8
 WIDTH = 96
 
 # Names of functions that are not those of the filters.
-FUNCTIONS = {"multi_dimensional_subdivision": "subdivide"}
+FUNCTIONS = {"multi_dimensional_subdivision": "subdivide", "sampler": "sample"}
 EXAMPLES = {
     "subdivide": [
         "points, cells = subdivide(points, [[0, 1, 2, 3]], levels=3)",
@@ -35,7 +35,9 @@ EXAMPLES = {
     "deformation": ["bent = deformation(points, rest_mesh=rest, deformed_mesh=moved)"],
     "label_solid": ["solid = label_solid(labels, spacing=(0.5, 0.5, 1.2))"],
     "limit_probe": ['nearest = limit_probe("mesh.vtu", places=points)'],
+    "measures": ['print(measures("mesh.vtu")["Measure"])'],
     "model": ['ship = model(model="Ship")'],
+    "sample": ['sample("mesh.vtu", spacing=0.1).save("image.vti")'],
     "smoothness": ['print(smoothness("mesh.vtu").point_data["Failing"])'],
 }
 
@@ -127,13 +129,7 @@ class Function:
 
     def in_python(self, text):
         """What the panel says, with the names of options that the function has."""
-        known = {}
-        for name, other in self.options.items():
-            for said in {other.name, other.shown}:
-                if re.search("[a-z0-9 ][A-Z]", said):
-                    known[said] = self.short.get(name, name)
-        words = "|".join(map(re.escape, sorted(known, key=len, reverse=True)))
-        return re.sub(rf"\b(?:{words})\b", lambda found: known[found[0]], text) if known else text
+        return self.filter.in_words(text, lambda other: self.short.get(snake(other.name), snake(other.name)))
 
     def parameters(self):
         """The arguments of the signature that are no options: those in front, and those behind."""
@@ -170,7 +166,7 @@ def table(one, filters):
     words = "".join(f"        {quoted(key)}: {quoted(value)},\n" for key, value in known.items())
     made = "".join(option_code(one, name, option) for name, option in one.options.items())
     return f"""_{one.name} = Filter(
-    {quoted(one.name)}, {quoted(one.filter.cls)},
+    {quoted(one.name)}, {quoted(one.filter.label)}, {quoted(one.filter.cls)},
     {quoted(one.filter.short_help)},
     {quoted(one.in_python(chr(10).join(one.filter.help)))},
     {one.inputs},
@@ -212,6 +208,11 @@ def documentation(one):
         lines.append(("options", f"{more} more: options({quoted(one.name)}) lists all, "
                                  f"options({quoted(one.name)}, word) explains those that have a word."))
     rows = ROWS["Surface" in one.filter.cls]
+    what, first = stubs.OUTPUTS.get(one.filter.cls), lines[0][1]
+    if what == stubs.TABLE:
+        lines[0] = ("mesh", first.split(" What comes out")[0] + " What comes out is a dictionary of arrays.")
+    elif what == stubs.IMAGE:
+        lines[0] = ("mesh", first.replace("it is Arrays", "it is an Image: arrays by name, with the axes z, y and x"))
     parts.append("\n".join(item(name, text.replace("{rows}", rows)) for name, text in lines))
     return "\n\n".join(parts).replace("\\", "\\\\").replace('"""', '\\"\\"\\"').strip()
 

@@ -14,7 +14,7 @@ import tempfile
 NAME = "TryOfAFilter"
 FOLDERS = ("CMake", "Documentation", "Filters", "Plugin", "Testing")
 LISTS = ("Filters/CMakeLists.txt", "Filters/README.md", "Testing/CheckIncludes.cmake", "Plugin/Descriptions.cmake",
-         "Documentation/Guide/README.md", "Documentation/Architecture.md", "Testing/Python/test_plugin.py", "CHANGELOG.md")
+         "Documentation/Guide/README.md", "Testing/Python/test_plugin.py", "CHANGELOG.md")
 
 
 def main():

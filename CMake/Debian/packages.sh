@@ -17,12 +17,12 @@ package_lists()
 {
   tools=(cmake g++ ninja-build libgtest-dev)
   docs_packages=(doxygen python3)
-  analysis_packages=(python3-matplotlib)
+  analysis_packages=(python3-matplotlib python3-scipy)
   debian_packages=(dpkg-dev file gzip lintian)
   # What tests multiply matrices and count instructions with; without it these say "skipped". ccache, so that a fresh
-  # machine of the same suite does not compile the same sources again.
-  test_packages=(python3-scipy valgrind ccache)
-  # Other libraries that tests and benchmarks compare with; without them the tests say "skipped".
+  # machine of the same suite does not compile the same sources again; xvfb for pictures of scripts.
+  test_packages=(python3-scipy valgrind ccache xvfb)
+  # Other libraries and programs that tests compare with, and solvers that examples run; without them the tests say "skipped".
   compared_packages=(libopenmesh-dev libcgal-dev)
   peer_packages=(libosd-dev libopenmesh-dev libcgal-dev libdune-grid-dev libdune-uggrid-dev)
 
@@ -42,7 +42,8 @@ package_lists()
       vtk_version=9.1
       debian_revision=1~deb12
       formatter=clang-format-19
-      compared_packages+=(libosd-dev) # not tried on later suites
+      # Not tried on later suites.
+      compared_packages+=(libosd-dev gmsh python3-gmsh calculix-ccx python3-meshio python3-netcdf4 python3-dolfinx)
       paraview_packages+=("${qt5[@]}" qtxmlpatterns5-dev-tools)
       client_packages=(python3-pyqt5)
       ;;

@@ -12,6 +12,8 @@ here = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(here), str(here.parents[1] / "Testing" / "Python")]
 
 import approximation  # noqa: E402
+import convergence  # noqa: E402
+import hybrid  # noqa: E402
 import measured  # noqa: E402
 import pages  # noqa: E402
 import solids  # noqa: E402
@@ -19,7 +21,8 @@ import surfaces  # noqa: E402
 
 
 def all_pages():
-    return surfaces.make_pages() + solids.make_pages() + [measured.make_page(), approximation.make_page()]
+    return surfaces.make_pages() + solids.make_pages() + [
+        hybrid.make_page(), measured.make_page(), approximation.make_page(), convergence.make_page()]
 
 
 def main():

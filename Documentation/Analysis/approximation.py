@@ -28,7 +28,9 @@ TEXTS = {"sqrt(3)": "Steps are two levels, which divide lengths by 3.", "4-8": "
          "Midedge": "The same; steps are two levels."}
 SOLIDS = {"Solids, box spline": BOX_SPLINE, "Solids, tet/oct": TET_OCT}
 FACES = (3, 4, 5, 6, 7, 8, 10, 12)
-SHOWN = ["3", "4", "5", "6", "7", "12"]
+# Rows of pages, by the name of their first column; tables with another name show all.
+SHOWN = {"faces": ["4", "6", "7", "12"],
+         "where": ["lattice", "edge of 4", "edge of 8", "vertex of 12"]}
 REGULAR = {"Loop": "6", "Catmull-Clark": "4", "Butterfly": "6", "sqrt(3)": "6", "4-8": "4", "Doo-Sabin": "4", "Midedge": "4"}
 ORDERS = {"Loop": 4, "Catmull-Clark": 4, "Butterfly": 4, "sqrt(3)": 3, "4-8": 6, "Doo-Sabin": 3, "Midedge": 3}
 PLACES = [("lattice", 0), *(("edge", n) for n in range(3, 9)), *(("vertex", n) for n in (4, 6, 12))]
@@ -72,8 +74,8 @@ def table(title, text, key, steps, rows, slopes=()):
                                                                           "bell in L2"]
     return Table(title, text, columns + (["bell, slopes in L2"] if slopes else []), rows,
                  f"Approximation{plots.plain(title)}.png", f"{title}: largest error by steps.",
-                 SHOWN if slopes else None, [name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
-                     ["slopes", "bell, slopes in L2"] if slopes else []))
+                 SHOWN.get(key), [name for name in columns if name.startswith("step")] + ["bell", "bell in L2"] + (
+                     ["slopes", "slopes in L2", *slopes[-1:], "bell, slopes in L2"] if slopes else []))
 
 
 def surface_table(name):
@@ -84,7 +86,8 @@ def surface_table(name):
 
 
 def solid_table(title, scheme):
-    return table(title, "*Lattice*: the middle of a tetrahedron after three to six steps. Others after one to four steps: "
+    return table(title, "The same places." if scheme == TET_OCT else
+                 "*Lattice*: the middle of a tetrahedron after three to six steps. Others after one to four steps: "
                  "the middle of an edge of so many tetrahedra, and a vertex whose neighbours are the corners of a tetrahedron, an "
                  "octahedron or an icosahedron.", "where", 4,
                  [Row(kind + (f" of {count}" if count else ""), lambda kind=kind, count=count: solid_row(scheme, kind, count))
@@ -138,7 +141,7 @@ order 2 and less for 7 and more triangles of Loop, and 5 and more quads of Catmu
 0.2 in a face of 12.
 
 **Theorem 7** of [Z] bounds the L2 error of the *best* approximation by Loop's functions. The bound is the largest l1, at least
-1/2, to the power 3 - s for each step; s = 1 is for the first derivatives. The columns have it as an order. What is measured
+1/2, to the power 3 - s for each step; s = 1 is for the first derivatives. The column has it as an order, the file also for s = 1. What is measured
 here meets the bound at every valence, for both functions, and so it does the same bound with the l1 of the other schemes. (For
 these [Z] has no such theorem. Butterfly, Doo-Sabin and midedge are C^1, so that their power is 2 - s.) A second estimate of the
 survey, order 4 in L2 at every valence with another notion of smoothness, is not met by interpolation of a function that is
@@ -151,15 +154,14 @@ of the box spline is regular, and has order 4 like the lattice.
 its limit. Its points get the heights sin(1.3 x + 0.4) cos(1.1 y - 0.3). *InterpolatePoints* finds the control points whose
 limit goes through all of them. For x and y these are the control points of the subdivided plane mesh, so that the spaces of
 functions are nested as in Theorem 7. Butterfly interpolates by itself. On quads 4-8 and midedge have no such control points:
-the heights of their control points are first the function there, and then get back {CORRECTIONS} times what the limit lacks.
+heights of control points begin as the function, and the error of the limit is added to them {CORRECTIONS} times.
 The limit at all points two levels finer (Butterfly: four) is compared with the function at their x and y, up to a distance of 1
-from the vertex. The L2 error is taken over the points, not by area. *Slopes* are errors of the gradient, which limit normals
-tell at points two levels finer. The file has the errors of each step, too, and orders for a second function, *bell*:
+from the vertex. The L2 error is taken over the points, not by area. *Slopes* are errors of the gradient, from limit normals at
+points two levels finer. The file has the errors of each step, too, and orders for a second function, *bell*:
 1 / (1 + x^2 + 0.3 x + 0.5 y^2).
 
-In solids the first function is multiplied by cos(0.7 z + 0.2), and the bell is 1 / (1 + x^2 + 0.3 x + 0.5 y^2 + 0.7 z^2 -
-0.2 y z). Values are not interpolated: they are first the function at control points, and then get back once what the limit
-lacks."""
+In solids both functions depend on z, too (`errors.py`), and values are not interpolated: the error of the limit is added to
+them once."""
 
 CLAIMS = [
     ("Regular meshes of Loop (6 triangles), Catmull-Clark (4 quads), Butterfly, curves and solids on lattices have order 4, as "

@@ -7,7 +7,7 @@ import itertools
 import math
 
 import numpy as np
-from solid_maps import TET_OCT, cell_array, solid, solids_of, subdivide, tets_of
+from solid_maps import TET_OCT, cell_array, independent, solid, solids_of, subdivide, tets_of
 from surface_maps import straight
 from surface_matrices import SQRT_THREE
 from surface_tools import add, coordinates, point_array, run, wheel
@@ -88,28 +88,37 @@ def contracted():
     """The matrices of the patch on what is left of values when ten functions, of 1, 1/2 and 1/4, are taken out; in
     coordinates in which their norms are small."""
     patch, matrices = patch_matrices()
-    values, vectors = np.linalg.eig(matrices[0])
-    order = np.argsort(-abs(values))[:10]
-    np.testing.assert_allclose(values[order], [1] + 3 * [1 / 2] + 6 * [1 / 4], atol=1e-9)
-    common = np.linalg.qr(np.real(vectors[:, order]))[0]
-    rest = np.linalg.svd(common)[0][:, 10:]
-    for matrix in matrices:
-        np.testing.assert_allclose(rest.T @ matrix @ common, 0, atol=1e-12)  # each matrix keeps the ten
+    common, left = without(matrices, [1] + 3 * [1 / 2] + 6 * [1 / 4])
     # Of 1, x, y, z and six products of two of them three are odd in z. With z |z| in the place of z^2 four would be.
     names = {tuple(key): i for i, key in enumerate(patch.tolist())}
     mirror = [names[x, y, -z] for x, y, z in patch.tolist()]
     np.testing.assert_allclose(np.trace(common.T @ common[mirror]), 7 - 3, atol=1e-9)
-    left = [rest.T @ matrix @ rest for matrix in matrices]
     return adapted(left, 0.28)
+
+
+def without(matrices, leading):
+    """(the functions of these eigenvalues of the first matrix, which all matrices keep, the matrices on what is left)."""
+    values, vectors = np.linalg.eig(matrices[0])
+    order = np.argsort(-abs(values))[:len(leading)]
+    np.testing.assert_allclose(values[order], leading, atol=1e-9)
+    common = independent(vectors[:, order])
+    rest = np.linalg.svd(common)[0][:, len(leading):]
+    for matrix in matrices:
+        np.testing.assert_allclose(rest.T @ matrix @ common, 0, atol=1e-12)
+    return common, [rest.T @ matrix @ rest for matrix in matrices]
 
 
 def adapted(matrices, factor):
     """The same in other coordinates. The square of their norm is the sum of squares of what all products make, each
     divided by the factor for each matrix of it; the factor has to be so large that the sum exists."""
-    n = len(matrices[0])
-    step = sum(np.kron(matrix.T, matrix.T) for matrix in matrices) / factor ** 2
-    assert abs(np.linalg.eigvals(step)).max() < 1
-    square = np.linalg.solve(np.eye(n * n) - step, np.eye(n).ravel()).reshape(n, n)
+    square = term = np.eye(len(matrices[0]))
+    for _ in range(2000):
+        term = sum(matrix.T @ term @ matrix for matrix in matrices) / factor ** 2
+        square = square + term
+        if abs(term).max() < 1e-14 * abs(square).max():
+            break
+    else:
+        raise AssertionError("the sum does not exist")
     root = np.linalg.cholesky((square + square.T) / 2).T
     return [root @ matrix @ np.linalg.inv(root) for matrix in matrices]
 
@@ -118,23 +127,23 @@ def longer(matrices, products):
     return np.matmul(np.array(matrices)[:, None], products[None]).reshape(-1, *matrices[0].shape)
 
 
-def radius_bounds(length):
+def radius_bounds(matrices, length):
     """(count of all products of so many matrices, the lower and the upper bound of the joint spectral radius by them)."""
-    products = np.array(contracted())
+    products = np.array(matrices)
     for _ in range(length - 1):
-        products = longer(contracted(), products)
+        products = longer(matrices, products)
     largest = abs(np.linalg.eigvals(products)).max()
     return len(products), largest ** (1 / length), np.linalg.norm(products, 2, axis=(1, 2)).max() ** (1 / length)
 
 
-def radius_cut(bound):
+def radius_cut(matrices, bound):
     """(count of products looked at, length of the longest): products grow until their norm is below the bound to the power
     of their length. Where they all end, any long product consists of such pieces, and the radius is below the bound."""
-    count, length, products = 0, 0, np.array(contracted())
+    count, length, products = 0, 0, np.array(matrices)
     while len(products):
         count, length = count + len(products), length + 1
         products = products[np.linalg.norm(products, 2, axis=(1, 2)) > bound ** length]
-        products = longer(contracted(), products)
+        products = longer(matrices, products)
         assert count < 100000
     return count, length
 

@@ -11,7 +11,7 @@ from subdivisionobjects import vtkSubdivisionSmoothness
 COLUMNS = ["regular", "injective", "samples"]
 
 
-def sampled(made, scheme, corners, sector=-1):
+def sampled(made, scheme, corners, sector=-1, **options):
     """What the filter says of a vertex, an edge or a face of a mesh, or of a sector at a vertex: the moduli l1, l2, ... of
     its eigenvalues, whether the map is regular and injective (-1: none was sampled), and in how many cells."""
     with quiet():
@@ -19,6 +19,8 @@ def sampled(made, scheme, corners, sector=-1):
         smoothness.SetInputData(made)
         smoothness.SetScheme(getattr(vtkSubdivisionSmoothness, scheme))
         smoothness.SetSampleMaps(True)
+        for name, value in options.items():
+            getattr(smoothness, "Set" + name)(value)
         smoothness.Update()
     out = smoothness.GetOutput()
 
@@ -33,9 +35,9 @@ def sampled(made, scheme, corners, sector=-1):
     return values("Eigenvalues")[cell, 1:].tolist(), regular, injective, samples
 
 
-def columns(made, scheme, corners, expected, sector=-1):
+def columns(made, scheme, corners, expected, sector=-1, **options):
     """The three columns of a table, for what has these moduli by the table's own computation, too."""
-    found, regular, injective, samples = sampled(made, scheme, corners, sector)
+    found, regular, injective, samples = sampled(made, scheme, corners, sector, **options)
     count = min(len(found), len(expected))
     np.testing.assert_allclose(found[:count], expected[:count], atol=1e-6)
     return [yes(regular), yes(injective), str(samples)] if samples else ["-", "-", "-"]

@@ -85,14 +85,16 @@ def lines_of(table, rows):
     return [line([row[i] for i in columns]) for row in [table.columns, ["---"] * len(table.columns), *cells]]
 
 
-def picture(table):
-    return [f"![{table.title}]({table.plot})", "", f"*{table.caption}*", ""]
+def picture(table, first):
+    """A plot, with its caption unless the page's first plot has the same words about another title."""
+    said = table is not first and table.caption.replace(table.title, "") == first.caption.replace(first.title, "")
+    return [f"![{table.title}]({table.plot})", ""] + ([] if said else [f"*{table.caption}*", ""])
 
 
 def render(page, made):
     """The text of a page, which begins with its first plot; rows of tables as lists of lists of texts, by title."""
     first = next((table for table in page.tables if table.plot), None)
-    lines = [f"# {page.title}", "", *(picture(first) if first else []), page.text.strip(), ""]
+    lines = [f"# {page.title}", "", *(picture(first, first) if first else []), page.text.strip(), ""]
     if any(table.keys is not None or table.hidden for table in page.tables):
         count = sum(map(len, made.values()))
         left = "; ".join(table.title for table in page.tables if table.keys == [])
@@ -102,7 +104,7 @@ def render(page, made):
         lines += [f"## {table.title}", ""] + ([table.text.strip(), ""] if table.text else [])
         lines += [*lines_of(table, made[table.title]), ""]
         if table.plot and table is not first:
-            lines += picture(table)
+            lines += picture(table, first)
     return "\n".join(lines)
 
 

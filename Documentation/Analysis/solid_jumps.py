@@ -7,7 +7,7 @@ import filter_maps
 import numpy as np
 from jumps import DEEP, LEVELS, NOISE, SEEDS, Measured, gradient_jumps
 from pages import number
-from solid_maps import (BOX_SPLINE, TET_OCT, edge_star, is_smooth, middle_of_edge, moduli, random_star, solid,
+from solid_maps import (BOX_SPLINE, LINEAR, TET_OCT, edge_star, is_smooth, middle_of_edge, moduli, random_star, solid,
                         solids_of, star_matrix, subdivide, tets_of, vertex_star)
 from surface_tools import add, coordinates, mesh, point_array
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
@@ -15,7 +15,6 @@ from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from subdivisionobjects import vtkMultiDimensionalSubdivision
 
-LINEAR = vtkMultiDimensionalSubdivision.LINEAR
 SCHEMES = {BOX_SPLINE: "BOX_SPLINE", TET_OCT: "TET_OCT"}
 MESHES = 1  # of random stars whose powers are compared with meshes
 WHOLE = 5  # levels of meshes of which nothing is left out
@@ -116,18 +115,23 @@ def jumps_by_level(control, vertex_of, scheme, values, meshes):
     first = subdivide(control, scheme)
     vertex = vertex_of(first)
     matrix, ids = star_matrix(first, vertex, scheme)
-    cells, x, found = star_cells(first, vertex, ids), point_array(first, "x")[ids], {}
+    x = point_array(first, "x")[ids]
     for level, make in meshes.items():
         expected = np.linalg.matrix_power(matrix, level - 1) @ x
         check(*make(control, vertex_of, scheme), expected - expected[0])
-    straight = Straight(x)
-    for level in range(1, DEEP[-1] + 1):
+    return jumps_of_powers(matrix, x, star_cells(first, vertex, ids), 1), moduli(matrix)
+
+
+def jumps_of_powers(matrix, x, cells, first):
+    """Jumps by level: a step multiplies the values of the first level by the matrix."""
+    straight, found = Straight(x), {}
+    for level in range(first, DEEP[-1] + 1):
         if level in LEVELS + DEEP:
             found[level] = straight.jumps(cells)
             if found[level].max() < NOISE:
                 break
         straight.step(matrix)
-    return found, moduli(matrix)
+    return found
 
 
 def promises(control, scheme, corners, values):

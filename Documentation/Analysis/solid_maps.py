@@ -14,6 +14,8 @@ from subdivisionobjects import vtkMultiDimensionalSubdivision
 
 BOX_SPLINE = vtkMultiDimensionalSubdivision.BOX_SPLINE
 TET_OCT = vtkMultiDimensionalSubdivision.TET_OCT
+LINEAR = vtkMultiDimensionalSubdivision.LINEAR
+HYBRID = vtkMultiDimensionalSubdivision.HYBRID
 
 
 def solid(points, tets):
@@ -102,6 +104,12 @@ def moduli(matrix, count=8):
 def is_smooth(values):
     """Condition (24): 1 > l1 >= l2 >= l3 > l4."""
     return bool(values[0] < 1 - 1e-6 and values[2] > values[3] + 1e-6)
+
+
+def independent(vectors):
+    """Real vectors that span what these do: pairs of conjugate ones are real and imaginary parts of one."""
+    real, imaginary = np.real(vectors), np.imag(vectors)
+    return np.linalg.svd(np.hstack([real, imaginary]), full_matrices=False)[0][:, :vectors.shape[1]]
 
 
 # ------------------------------------------------------------ around vertices

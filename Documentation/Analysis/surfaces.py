@@ -9,8 +9,8 @@ from contractions import contractivity
 from pages import Page, Row, Table, number, yes
 from surface_maps import Local
 from surface_matrices import is_smooth, quad_matrix, triangle_matrix
-from surface_tools import (CATMULL_CLARK, LOOP, add, coordinates, faces_of, fan, mesh, point_array, quad_star, run, spectrum,
-                           wheel, with_identity)
+from surface_tools import (CATMULL_CLARK, LOOP, add, coordinates, faces_of, fan, flag_corner, mesh, point_array, quad_star, run,
+                           spectrum, wheel, with_identity)
 
 from subdivisionobjects import vtkSubdivisionSmoothness, vtkSurfaceSubdivision
 
@@ -18,7 +18,8 @@ BUTTERFLY = vtkSurfaceSubdivision.MODIFIED_BUTTERFLY
 DOO_SABIN = vtkSurfaceSubdivision.DOO_SABIN
 MIDEDGE = vtkSurfaceSubdivision.MIDEDGE
 MAP = ["regular", "injective", "triangles sampled"]
-SHOWN = [str(k) for k in (1, 2, 3, 4, 5, 6, 7, 12, 50)]  # of rows up to 50
+SHOWN = ["3", "4", "6", "50"]  # of rows up to 50
+FEW = ["4", "6", "12"]  # of rows up to 12
 
 
 def loop_value(k):
@@ -97,9 +98,8 @@ def crease(scheme, k):
 
 def crease_table(scheme):
     return Table("Creases", "*k* faces on each side of a crease. One eigenvalue 1/2 belongs to the curve and one to each "
-                 "side of it; the condition is that all others are smaller. Each side then behaves as a boundary with *k* faces, "
-                 "whose characteristic map is in the table of boundaries. The last column shows it: the leading eigenvalues "
-                 "differ by so much from the eigenvalues of two such boundaries.",
+                 "side; the condition is that all others are smaller. The last column is how far the leading eigenvalues are from "
+                 "those of two boundaries with *k* faces.",
                  ["k", "l1", "l2", "l3", "l4", "condition", "off two boundaries"],
                  [Row(str(k), lambda k=k: crease(scheme, k)) for k in range(2, 51)], keys=["2", "8", "50"])
 
@@ -110,12 +110,11 @@ to the curve and is 1/2. The condition is that both are larger than |l3|."""
 
 def sectors(scheme):
     return [
-        sector_table(scheme, "boundary", "Boundaries", SECTORS, 2, ["2", "3", "4", "6", "8", "20", "50"]),
+        sector_table(scheme, "boundary", "Boundaries", SECTORS, 2, ["2", "4", "8", "50"]),
         sector_table(scheme, "boundary", "Boundaries by the plain rule", "The same with *ModifiedBoundary* off. Where the "
                      "condition fails there is no characteristic map.", 2, SHOWN, ModifiedBoundary=False),
         crease_table(scheme),
-        sector_table(scheme, "convex", "Convex corners", "Corners of 90 degrees with *k* faces.", 1,
-                     ["1", "4", "50"]),
+        sector_table(scheme, "convex", "Convex corners", "Corners of 90 degrees with *k* faces.", 1, []),
         sector_table(scheme, "concave", "Concave corners", "Corners of 270 degrees with *k* faces. Flatness lowers l3 to 1/4.",
                      2, [])]
 
@@ -135,22 +134,35 @@ def sqrt_three_differences(rings, steps, printed):
     return [str(rings), str(points), str(differences), number(norm), number(radius), yes(norm < 1), printed]
 
 
-def sqrt_three_boundary(k):
-    values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
-    return moduli(values) + [yes(is_smooth(values, 1 / 3))] + filter_maps.columns(
-        fan(k, np.pi), "SQRT_THREE", [0], values[1:3], 0)
+TURNED = {"boundaries": np.pi, "boundaries, plain rule": np.pi, "convex corners": np.pi / 2, "concave corners": 1.5 * np.pi}
+
+
+KEYS_OF_CORNERS = {"convex corners": [], "concave corners": ["2", "6", "12"]}
+
+
+def turned_sector(scheme, kind, k):
+    """A sector of sqrt(3) or 4-8."""
+    options = {"ModifiedBoundary": False} if "plain" in kind else {}
+    made = fan(k, TURNED[kind]) if scheme == "SQRT_THREE" else quad_star(k, TURNED[kind], False)
+    made = flag_corner(made) if "corners" in kind else made
+    matrix, along = (triangle_matrix(made, k, False, **options), 1 / 3) if scheme == "SQRT_THREE" else (
+        quad_matrix(made, k, False, **options)[1], 1 / 2)
+    values = spectrum(matrix)
+    return moduli(values) + [yes(is_smooth(values, along))] + filter_maps.columns(
+        made, scheme, [0], values[1:3], 0, **options)
+
+
+def turned_tables(name, scheme, texts):
+    return [Table(f"{name} at {kind}", text, ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
+                  [Row(str(k), lambda k=k, kind=kind: turned_sector(scheme, kind, k)) for k in range(2, 13)],
+                  keys=KEYS_OF_CORNERS.get(kind, FEW), hidden=["samples"])
+            for kind, text in zip(TURNED, texts)]
 
 
 def four_eight(k):
     made = quad_star(k, 2 * np.pi, True)
     values = spectrum(quad_matrix(made, k, True)[1])
     return moduli(values) + [yes(is_interior(values))] + filter_maps.columns(made, "FOUR_EIGHT", [0], values[1:4])
-
-
-def four_eight_boundary(k):
-    made = quad_star(k, np.pi, False)
-    values = spectrum(quad_matrix(made, k, False)[1])
-    return moduli(values) + [yes(is_smooth(values, 1 / 2))] + filter_maps.columns(made, "FOUR_EIGHT", [0], values[1:4], 0)
 
 
 def dual_matrix(scheme, k, steps):
@@ -197,16 +209,16 @@ def dual(scheme, k, steps, expected):
 
 
 DIFFERENCES = """Why sqrt(3) is C^2 on regular meshes, by the appendix of [K]. The matrix *S* of some steps acts on the points
-of some rings; *J* takes third differences of these points along two directions of edges. *S* keeps quadratic polynomials, so
-that *J S J^+* takes third differences of a mesh to third differences of the finer one (*J^+* is the pseudo-inverse). Two steps
+of some rings; *J* takes their third differences along two directions of edges. *S* keeps quadratic polynomials, so that
+*J S J^+* takes third differences of a mesh to third differences of the finer one (*J^+* is the pseudo-inverse). Two steps
 divide lengths by 3. So the norm of this matrix (its largest singular value), times 9 for each two steps, has to be below 1.
-Two steps do not show it, four do: [K] prints 0.78. No norm can be below the spectral radius, which is for two steps."""
-AROUND = """The matrix is that of the corners of one face. Second derivatives around the face have the eigenvalue 1/4, whatever
+Two steps do not show it, four do: [K] prints 0.78."""
+AROUND = """The matrix takes the corners of one face. Second derivatives around the face have the eigenvalue 1/4, whatever
 *k* is; the condition takes the larger one of 1/4 and l3."""
 OTHERS = """Two schemes whose steps turn the mesh, sqrt(3) and 4-8: eigenvalues belong to **two** steps. Two dual schemes,
 Doo-Sabin and midedge: a face repeats from step to step, not a vertex. vtkSubdivisionSmoothness samples the characteristic
-maps. All maps of sqrt(3) and 4-8 are regular and injective where the condition holds. The numbers are read off what the filter
-makes: see [how](README.md)."""
+maps. With *ModifiedBoundary* it holds in all sectors of 2 to 12 faces. All maps of sqrt(3) and 4-8 are regular and
+injective where the condition holds. The numbers are read off what the filter makes: see [how](README.md)."""
 
 
 def is_up_to(page, title, last):
@@ -246,11 +258,14 @@ OTHER_CLAIMS = [
     ("Two steps do not show it, four do: [K] prints 0.78.",
      lambda page: pages.column(page, "sqrt(3), third differences", "below 1") == {"2": "no", "4": "yes"}
      and pages.column(page, "sqrt(3), third differences", "norm")["4"] == "0.7728"),
-    ("it holds for up to five triangles.", lambda page: is_up_to(page, "sqrt(3) at boundaries", 5)),
-    ("the condition holds for two and three faces only.", lambda page: is_up_to(page, "4-8 at boundaries", 3)),
+    ("it holds for up to five triangles.", lambda page: is_up_to(page, "sqrt(3) at boundaries, plain rule", 5)),
+    ("The condition holds for two and three faces only.", lambda page: is_up_to(page, "4-8 at boundaries, plain rule", 3)),
+    ("With *ModifiedBoundary* it holds in all sectors of 2 to 12 faces.", lambda page: all(
+        is_up_to(page, f"{name} at {kind}", 12) for name in ("sqrt(3)", "4-8") for kind in TURNED if "plain" not in kind)),
     ("All maps of sqrt(3) and 4-8 are regular and injective where the condition holds.",
      lambda page: all(is_all_regular(page, title) for title in ("sqrt(3) inside", "4-8 inside")) and all(
-         pages.column(page, title, name)[key] == "yes" for title in ("sqrt(3) at boundaries", "4-8 at boundaries")
+         pages.column(page, title, name)[key] == "yes"
+         for title in (f"{name} at {kind}" for name in ("sqrt(3)", "4-8") for kind in TURNED)
          for key in pages.holds_for(page, title, "condition") for name in ("regular", "injective"))),
 ]
 
@@ -273,42 +288,47 @@ def make_pages():
                 "12), read off what the filter makes: see [how](README.md).",
                 [interior_table(LOOP, loop_value, "Loop")] + sectors(LOOP), lambda made: plots.spectrum("Loop", made["Inside"]),
                 [INSIDE_CLAIM, SURVEY_CLAIM, CORNER_CLAIM, PLAIN_CLAIMS["Loop"]])
-    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme", "The same as for [Loop](Loop.md), for quads. "
+    catmull_clark = Page("CatmullClark", "Spectra of Catmull-Clark's scheme",
+                         "The same as for [Loop](Loop.md), whose page says what the tables have, for quads. "
                          f"{INSIDE_CLAIM[0]} {SURVEY_CLAIM[0]} {CORNER_CLAIM[0]} {PLAIN_CLAIMS['CatmullClark'][0]}",
                          [interior_table(CATMULL_CLARK, catmull_clark_value, "CatmullClark")] + sectors(CATMULL_CLARK),
                          lambda made: plots.spectrum("CatmullClark", made["Inside"]),
                          [INSIDE_CLAIM, SURVEY_CLAIM, CORNER_CLAIM, PLAIN_CLAIMS["CatmullClark"]])
-    butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme", "The same as for [Loop](Loop.md). The survey's "
+    butterfly = Page("Butterfly", "Spectra of the modified Butterfly scheme",
+                     "The same as for [Loop](Loop.md), whose page says what the tables have. The survey's "
                      "rules are made so that l1 = l2 = 1/2 and l3 = 1/4 at every valence.",
                      [interior_table(BUTTERFLY, butterfly_value, "Butterfly"), *sectors(BUTTERFLY)[:1]],
                      lambda made: plots.spectrum("Butterfly", made["Inside"]))
+    for table in catmull_clark.tables + butterfly.tables:
+        table.text = ""  # Loop's page has it
     others = Page("OtherSurfaces", "Spectra of the other surface schemes", OTHERS, [
         Table("sqrt(3) inside", "Two steps. Kobbelt's equation (4), squared, gives the eigenvalues (2/3 - a)^2 and "
               "4/9 cos^2(pi m/k) for m = 1 to k - 1. No eigenvalue differs from them by more than the column says.",
               ["k", "l1", "l2", "l3", "off equation (4)", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows], *spectrum_plot("sqrt(3) inside"), SHOWN, ["samples"]),
+              [Row(str(k), lambda k=k: sqrt_three(k)) for k in rows], *spectrum_plot("sqrt(3) inside"), FEW, ["samples"]),
         Table("sqrt(3), third differences", DIFFERENCES,
               ["steps", "rings", "points", "differences", "norm", "spectral radius", "below 1", "the paper"],
               [Row("2", lambda: sqrt_three_differences(3, 2, "-")), Row("4", lambda: sqrt_three_differences(6, 4, "0.78"))]),
-        Table("sqrt(3) at boundaries", "Two steps; the eigenvalue of the curve is 1/3. Kobbelt states no condition at "
-              "boundaries; it holds for up to five triangles.",
-              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: sqrt_three_boundary(k)) for k in range(2, 13)], keys=SHOWN, hidden=["samples"]),
+        *turned_tables("sqrt(3)", "SQRT_THREE", [
+            "Two steps; the eigenvalue of the curve is 1/3, and *ModifiedBoundary* makes it that of the sector, too.",
+            "Kobbelt states no condition at boundaries; it holds for up to five triangles.",
+            "Corners of 90 degrees.", "Corners of 270 degrees. Flatness lowers l3 to 1/9, for two triangles to 0."]),
         Table("4-8 inside", "Two steps.", ["k", "l1", "l2", "l3", "condition (23)"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: four_eight(k)) for k in rows], *spectrum_plot("4-8 inside"), SHOWN, ["samples"]),
-        Table("4-8 at boundaries", "Two steps; the condition holds for two and three faces only.",
-              ["k", "l1", "l2", "l3", "condition"] + filter_maps.COLUMNS,
-              [Row(str(k), lambda k=k: four_eight_boundary(k)) for k in range(2, 13)], keys=SHOWN, hidden=["samples"]),
+              [Row(str(k), lambda k=k: four_eight(k)) for k in rows], *spectrum_plot("4-8 inside"), FEW, ["samples"]),
+        *turned_tables("4-8", "FOUR_EIGHT", [
+            "Two steps; *ModifiedBoundary* makes both eigenvalues 1/2.",
+            "The condition holds for two and three faces only.", "Corners of 90 degrees.",
+            "Corners of 270 degrees. Flatness moves only the points next to the corner, so that l3 is up to 0.46."]),
         Table("Doo-Sabin", "One step, faces of *k* corners; the weights give l1 = l2 = 1/2 and l3 = 1/4. " + AROUND,
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(DOO_SABIN, k, 1,
                                             lambda _: 1 / 2)) for k in range(3, 51)], *spectrum_plot("Doo-Sabin"),
               ["3", "4", "50"], ["closed form", "triangles sampled"]),
         Table("Midedge", "Two steps, faces of *k* corners; l1 is cos^2(pi/k). At *k* = 3 it is no larger than 1/4, "
-              "and the condition fails. " + AROUND,
+              "and the condition fails. The matrix is as for Doo-Sabin.",
               ["k", "l1", "l2", "l3", "closed form", "condition (23)"] + MAP,
               [Row(str(k), lambda k=k: dual(MIDEDGE, k, 2,
                                             midedge_value)) for k in range(3, 51)], *spectrum_plot("Midedge"),
-              ["3", "4", "5", "6", "8", "20", "50"], ["closed form", "triangles sampled"])],
+              ["3", "4", "6", "50"], ["closed form", "triangles sampled"])],
         draw_others, OTHER_CLAIMS)
     return [loop, catmull_clark, butterfly, others]

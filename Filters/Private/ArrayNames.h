@@ -28,6 +28,8 @@ constexpr const char* PointNumbersName = "SubdivisionPointNumber";
 constexpr const char* CellNumbersName = "SubdivisionCellNumber";
 /// The cell array of a surface that was made of a grid: which cell of the grid each cell is.
 constexpr const char* SourceCellsName = "SubdivisionSourceCells";
+/// The cell array that tells which tetrahedra are the pieces of one octahedron; -1 for all others.
+constexpr const char* OctahedraName = "OctahedronId";
 constexpr const char* LimitNormalsName = "LimitNormals";
 /// Of the limit at places: derivatives by the parameters of the cell, and curvatures.
 constexpr const char* PlaceDerivativeNames[3] = { "DerivativeU", "DerivativeV", "DerivativeW" };

@@ -33,6 +33,14 @@ inline bool IsAborted(vtkAlgorithm* algorithm)
 #endif
 }
 
+/// Forgets that an earlier execution was stopped, as VTK does before it executes an algorithm.
+inline void ForgetStop([[maybe_unused]] vtkAlgorithm* algorithm)
+{
+#if VTK_VERSION_NUMBER > VTK_VERSION_CHECK(9, 2, 20221231)
+  algorithm->SetAbortOutput(false);
+#endif
+}
+
 /// The types of all cells as plain values; null in a grid without any. From 9.6 on VTK may keep
 /// them in an array of another kind, one number for all for instance: then they are a copy.
 inline vtkSmartPointer<vtkUnsignedCharArray> GetCellTypes(vtkUnstructuredGrid* grid)

@@ -7,14 +7,19 @@
 #include "CollapsibleGroup.h"
 #include "CountWidget.h"
 #include "CriteriaWidget.h"
+#include "Forecast.h"
+#include "ForecastWidget.h"
 #include "PresetWidget.h"
 #include "SearchWords.h"
 #include "UsedProperties.h"
 
 #include "pqApplicationCore.h"
 #include "pqInterfaceTracker.h"
+#include "pqObjectBuilder.h"
+#include "pqPipelineSource.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyGroup.h"
+#include "vtkSMProxy.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -43,6 +48,10 @@ pqPropertyWidget* GroupInterface::createWidgetForProperty(
   {
     return new CountWidget(proxy, property, parent);
   }
+  if (widget == "SubdivisionObjectsForecast")
+  {
+    return new ForecastWidget(proxy, property, parent);
+  }
   if (widget == "SubdivisionObjectsPresets")
   {
     return new PresetWidget(proxy, property, parent);
@@ -60,6 +69,17 @@ void AddClient()
   {
     auto* tracker = core->interfaceTracker();
     tracker->addInterface(new GroupInterface(tracker));
+    QObject::connect(core->getObjectBuilder(), &pqObjectBuilder::filterCreated, tracker,
+      [](pqPipelineSource* filter)
+      {
+        auto* proxy = filter->getProxy();
+        // Levels of the output, not of a mesh around it, and no limit of levels.
+        if (proxy->GetProperty("NextApply") && proxy->GetProperty("OutputCells") &&
+          proxy->GetProperty("NumberOfLevels"))
+        {
+          SetFirstLevels(proxy);
+        }
+      });
     SearchWords::Add();
     UsedProperties::Follow();
   }

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Tuple, Union
 
 if TYPE_CHECKING:
     import numpy as np
-    from vtkmodules.vtkCommonDataModel import vtkPolyData, vtkUnstructuredGrid
+    from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
+
+    from .kinds import AnyMesh, Mesh
+
+    Samples = Dict[str, np.ndarray[Any, Any]]
+else:
+    Samples = dict
 
 # Of cells that are one array: by the number of points that its rows have.
 TYPES_BY_SIZE = {1: "vertex", 2: "line", 3: "triangle", 4: "tetra"}
@@ -36,11 +42,11 @@ class Arrays(tuple):
 
     def __new__(
         cls,
-        points: Any,
-        cells: Any,
-        point_data: Dict[str, Any],
-        cell_data: Dict[str, Any],
-        field_data: Optional[Dict[str, Any]] = None,
+        points: np.ndarray[Any, Any],
+        cells: Union[np.ndarray[Any, Any], Dict[str, np.ndarray[Any, Any]]],
+        point_data: Dict[str, np.ndarray[Any, Any]],
+        cell_data: Dict[str, np.ndarray[Any, Any]],
+        field_data: Optional[Dict[str, np.ndarray[Any, Any]]] = None,
         attributes: Optional[Dict[str, str]] = None,
     ) -> Arrays:
         made = super().__new__(cls, (points, cells))
@@ -48,7 +54,7 @@ class Arrays(tuple):
         made.field_data, made.attributes = field_data or {}, attributes or {}
         return made
 
-    def __getnewargs__(self) -> Tuple[Any, ...]:
+    def __getnewargs__(self) -> Tuple[object, ...]:
         """For copy and pickle: what __new__ takes."""
         return self.points, self.cells, self.point_data, self.cell_data, self.field_data, self.attributes
 
@@ -60,18 +66,19 @@ class Arrays(tuple):
                 parts.append(f"{what} {', '.join(map(str, getattr(self, what)))}")
         return f"<Arrays: {'; '.join(parts)}>"
 
-    def cells_by_type(self) -> Dict[str, Any]:
+    def cells_by_type(self) -> Dict[str, np.ndarray[Any, Any]]:
         """The cells as a dictionary of rows, also where they are of one type."""
         if isinstance(self.cells, dict):
             return self.cells
         return {TYPES_BY_SIZE[self.cells.shape[1]]: self.cells} if len(self.cells) else {}
 
-    def save(self, name: Union[str, os.PathLike[str]]) -> None:
-        """Writes a file in the format of its ending: .vtu, .vtp, .vtk, .stl, .ply, .obj, and those of meshio where it
-        is installed. Of solids .vtp, .stl, .ply and .obj get the outside."""
+    def save(self, name: Union[str, os.PathLike[str]], groups: Optional[str] = None) -> None:
+        """Writes a file in the format of its ending: .vtu, .vtp, .vtk, .stl, .ply, .obj, those of `write_solver_mesh`
+        (.msh, .inp, .exo), by whose `groups` cells are named, and those of meshio where it is installed. Of solids .vtp, .stl,
+        .ply and .obj get the outside."""
         from . import files
 
-        files.save(self, name)
+        files.save(self, name, groups)
 
     def to_vtk(self) -> Union[vtkUnstructuredGrid, vtkPolyData]:
         """The same as a vtkUnstructuredGrid; points without cells are a vtkPolyData."""
@@ -79,8 +86,63 @@ class Arrays(tuple):
 
         return meshes.to_vtk(self)
 
-    def to_meshio(self) -> Any:
+    def to_meshio(self) -> Mesh:
         """The same as a meshio.Mesh."""
         from . import files
 
         return files.to_meshio(self)
+
+
+class Image(Samples):
+    """Arrays of an image by name, as a dictionary: image["Material"][k, j, i] is the sample at origin + spacing * (i, j, k).
+
+    Arrays of several components have a last axis for them. `origin` and `spacing` have three numbers each, along x, y and
+    z. `scalars` is the name of the array that volume rendering shows first. `save` writes a file, `to_vtk` gives the
+    image of VTK.
+    """
+
+    def __init__(
+        self, arrays: Samples, origin: Tuple[float, ...], spacing: Tuple[float, ...], scalars: Optional[str] = None
+    ) -> None:
+        super().__init__(arrays)
+        self.origin, self.spacing, self.scalars = origin, spacing, scalars
+
+    def __repr__(self) -> str:
+        """How many samples there are along x, y and z, and the names of arrays."""
+        shape = next(iter(self.values())).shape[2::-1] if self else (0, 0, 0)
+        return f"<Image: {' x '.join(map(str, shape))} samples; {', '.join(self)}>"
+
+    def save(self, name: Union[str, os.PathLike[str]]) -> None:
+        """Writes a .vti or .vtk file."""
+        from . import files
+
+        files.save_image(self, name)
+
+    def to_vtk(self) -> vtkImageData:
+        """The same as a vtkImageData."""
+        from . import meshes
+
+        return meshes.from_image(self)
+
+
+def write_solver_mesh(
+    mesh: AnyMesh,
+    name: Union[str, os.PathLike[str]],
+    groups: Optional[str] = None,
+    names: Optional[Dict[int, str]] = None,
+) -> None:
+    """Writes a mesh for a solver, by the ending of the name: .msh (Gmsh, version 4.1), .inp (CalculiX and Abaqus), or
+    .e, .exo, .ex2 (Exodus, needs netCDF4).
+
+    Node i + 1 of the file is point i of the mesh, and element i + 1 is cell i, so that results can be put beside points
+    and cells. `groups` names a cell array of whole numbers, such as MaterialId: cells with the same number and dimension are
+    a physical group, an ELSET with its NSET, or blocks of elements. `names` is a dictionary from these numbers to names.
+    Else names are those in field data, as of a mesh from Gmsh, or MaterialId_1. Without `groups` they are points,
+    curves, surfaces and solids.
+
+        smooth = subdivide("part.vtu", output_cells="Quadratic")
+        write_solver_mesh(smooth, "part.inp", groups="MaterialId", names={1: "Steel"})
+    """
+    from . import solvers
+
+    solvers.write(mesh, name, groups, names)

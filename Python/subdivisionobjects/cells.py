@@ -19,7 +19,10 @@ CELLS = {"vertex": (1, 1), "line": (3, 2), "triangle": (5, 3), "tetra": (10, 4),
          "pyramid13": (27, 13),
          # What output_cells="bezier" makes.
          "bezier_curve": (75, 4), "bezier_triangle": (76, 15), "bezier_quad": (77, 16), "bezier_tetra": (78, 56)}
-NAMES = {kind: name for name, (kind, _) in CELLS.items()}
+# What output_cells="lagrange" makes, of any number of points.
+LAGRANGE = {f"VTK_LAGRANGE_{name}": kind for kind, name in enumerate(
+    ("CURVE", "TRIANGLE", "QUADRILATERAL", "TETRAHEDRON", "HEXAHEDRON", "WEDGE"), 68)}
+NAMES = {**{kind: name for name, (kind, _) in CELLS.items()}, **{kind: name for name, kind in LAGRANGE.items()}}
 # What the rows of a single array are, by their number of points.
 OF_SOLIDS = {1: "vertex", 2: "line", 3: "triangle", 4: "tetra", 6: "wedge", 8: "hexahedron"}
 OF_SURFACES = {1: "vertex", 2: "line", 3: "triangle", 4: "quad"}
@@ -83,6 +86,8 @@ def kind_and_size(name, size=None):
     name = name_of(name)
     if name in CELLS:
         return CELLS[name]
+    if name in LAGRANGE and size is not None:
+        return LAGRANGE[name], size
     polygon = re.fullmatch("polygon([0-9]*)", str(name))
     count = int(polygon[1] or size or 0) if polygon else 0
     if count < 3:

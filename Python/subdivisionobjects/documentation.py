@@ -5,17 +5,17 @@ from __future__ import annotations
 
 import re
 import textwrap
-from typing import Any, Callable, Dict, List, Optional, Union
+from typing import Callable, Dict, List, Mapping, Optional, Union
 
 from .run import FILTERS, Filter, Option, find_filter, plain
 
 WIDTH = 100
 
 
-class Listing(Dict[str, Any]):
+class Listing(Dict[str, Union[str, Option]]):
     """A dictionary that is shown as a text."""
 
-    def __init__(self, found: Dict[str, Any], text: str) -> None:
+    def __init__(self, found: Mapping[str, Union[str, Option]], text: str) -> None:
         super().__init__(found)
         self.text = text
 
@@ -23,7 +23,7 @@ class Listing(Dict[str, Any]):
         return self.text
 
 
-def options(function: Union[None, str, Callable[..., Any]] = None, word: Optional[str] = None) -> Listing:
+def options(function: Union[None, str, Callable[..., object]] = None, word: Optional[str] = None) -> Listing:
     """The options of a function, or of its name, with defaults; those that have a word in their names with all of their
     help. Without a function: all functions.
 
@@ -32,7 +32,7 @@ def options(function: Union[None, str, Callable[..., Any]] = None, word: Optiona
         options("subdivide")["levels"].default
     """
     if function is None:
-        lines = [f"{name:32} {one.help}" for name, one in FILTERS.items()]
+        lines = [f"{name:32} {one.label}: {one.help}" for name, one in FILTERS.items()]
         return Listing({name: one.help for name, one in FILTERS.items()}, "\n".join(lines))
     one = find_filter(function)
     if word is None:
@@ -67,7 +67,7 @@ def brief_text(one: Filter) -> str:
         start = f"{', '.join(names_of(one, name))} = {option.default!r}"
         help_ = textwrap.shorten(re.split(r"(?<=\.)\s", option.help)[0], WIDTH - 8, placeholder=" ...")
         groups.setdefault(option.group, []).append(f"  {start}\n      {help_}")
-    parts = [f"{one.name}: {one.help}", *(textwrap.fill(part, WIDTH) for part in one.more_help.split("\n"))]
+    parts = [f"{one.name} ({one.label}): {one.help}", *(textwrap.fill(part, WIDTH) for part in one.more_help.split("\n"))]
     parts.append(f'{len(one.options)} options; options("{one.name}", word) explains those that have a word.')
     return "\n\n".join(parts + ["\n".join([f"{group or 'General'}:"] + lines) for group, lines in groups.items()])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes from files and to files, by VTK, and by meshio where it is installed."""
+"""Meshes from files and to files: by VTK, for solvers, and by meshio where it is installed."""
 
 import importlib
 import os
@@ -26,6 +26,7 @@ READERS = {
     ".mhd": "vtkIOImage.vtkMetaImageReader",
     ".nrrd": "vtkIOImage.vtkNrrdReader",
 }
+IMAGE_WRITERS = {".vti": "vtkIOXML.vtkXMLImageDataWriter", ".vtk": "vtkIOLegacy.vtkGenericDataObjectWriter"}
 WRITERS = {
     ".vtu": "vtkIOXML.vtkXMLUnstructuredGridWriter",
     ".vtp": "vtkIOXML.vtkXMLPolyDataWriter",
@@ -43,7 +44,7 @@ def make(path):
 
 
 def by_meshio(call, name, known, mesh=None):
-    """Reads or writes a file whose ending VTK does not know."""
+    """Reads or writes a file whose ending is none of those that are known."""
     try:
         meshio = importlib.import_module("meshio")
     except ImportError:
@@ -52,7 +53,8 @@ def by_meshio(call, name, known, mesh=None):
         ) from None
     try:
         return getattr(meshio, call)(*[name] if mesh is None else (name, to_meshio(mesh)))
-    except (SystemExit, meshio.ReadError, meshio.WriteError) as error:  # some versions end where they know no format
+    # Some versions end where they know no format; 5.0 knows no wedges with 15 nodes.
+    except (SystemExit, KeyError, meshio.ReadError, meshio.WriteError) as error:
         raise ValueError(f"meshio cannot {call} {name!r}: {error}") from None
 
 
@@ -77,12 +79,19 @@ def read(name):
     return data
 
 
-def save(mesh, name):
+def save(mesh, name, groups=None):
     """Writes a mesh in the format of the ending of the name."""
+    from . import solvers
+
     name = os.fspath(name)
     ending = os.path.splitext(name)[1].lower()
+    if ending in solvers.WRITERS:
+        solvers.write(mesh, name, groups)
+        return
+    if groups is not None:
+        raise ValueError(f"groups are for {', '.join(solvers.WRITERS)}: {name!r} has all cell arrays")
     if ending not in WRITERS:
-        by_meshio("write", name, WRITERS, mesh)
+        by_meshio("write", name, (*WRITERS, *solvers.WRITERS), mesh)
         return
     data = mesh.to_vtk()
     for path in steps(ending, data.IsA("vtkPolyData")):
@@ -93,6 +102,15 @@ def save(mesh, name):
     if ending in (".stl", ".ply") and not data.GetNumberOfPolys():
         raise ValueError(f"there are no triangles for {name!r}: .vtu holds all cells")
     write_whole(make(WRITERS[ending]), data, name)
+
+
+def save_image(image, name):
+    """Writes an image in the format of the ending of the name."""
+    name = os.fspath(name)
+    ending = os.path.splitext(name)[1].lower()
+    if ending not in IMAGE_WRITERS:
+        raise ValueError(f"{name!r} ends with none of {', '.join(IMAGE_WRITERS)}, which hold images")
+    write_whole(make(IMAGE_WRITERS[ending]), image.to_vtk(), name)
 
 
 def steps(ending, is_surface):

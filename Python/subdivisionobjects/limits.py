@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Union
+from typing import TYPE_CHECKING, Any, Callable, Union
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
@@ -11,9 +11,14 @@ from .arrays import Arrays
 from .execution import listen_to
 from .run import to_filter
 
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from .kinds import AnyMesh
+
 
 def evaluate_limit(
-    mesh: Any, cells: Any, parameters: Any, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+    mesh: AnyMesh, cells: ArrayLike, parameters: ArrayLike, *, function: Union[str, Callable[..., object]] = "subdivide", **options: Any
 ) -> Arrays:
     """The limit of a mesh by `subdivide` or `surface_subdivision`, with options that choose rules, at many places.
 

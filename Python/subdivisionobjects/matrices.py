@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, List, NamedTuple, Union
+from typing import TYPE_CHECKING, Any, Callable, List, NamedTuple, Optional, Union
 
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdTypeArray
 
@@ -11,34 +11,41 @@ from . import vtkSubdivisionObjects
 from .execution import listen_to
 from .run import to_filter
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike
+    from scipy.sparse import csr_matrix
+
+    from .kinds import AnyMesh, Cells
+
 
 class Rows(NamedTuple):
     """A sparse matrix: row i has the columns ids[offsets[i]:offsets[i + 1]] with these weights."""
 
-    offsets: Any
-    ids: Any
-    weights: Any
+    offsets: np.ndarray[Any, Any]
+    ids: np.ndarray[Any, Any]
+    weights: np.ndarray[Any, Any]
     number_of_columns: int
 
-    def multiply(self, values: Any) -> Any:
+    def multiply(self, values: ArrayLike) -> np.ndarray[Any, Any]:
         """The matrix times an array of a value, or a row of values, for each column: each row is summed in double, in
         the order of its entries, starting with 0."""
         import numpy as np
         from .values import to_numpy
 
-        values = to_numpy("values", values).astype(float)
-        if len(values) != self.number_of_columns:
-            raise ValueError(f"there must be {self.number_of_columns} values, one for each column, not {len(values)}")
-        sums = np.zeros((len(self.offsets) - 1,) + values.shape[1:])
+        given = to_numpy("values", values).astype(float)
+        if len(given) != self.number_of_columns:
+            raise ValueError(f"there must be {self.number_of_columns} values, one for each column, not {len(given)}")
+        sums = np.zeros((len(self.offsets) - 1,) + given.shape[1:])
         left = np.diff(self.offsets)
         for entry in range(left.max(initial=0)):  # the entry of this number of all rows at once
             rows = np.flatnonzero(left > entry)
             at = self.offsets[rows] + entry
-            weights = self.weights[at].reshape((-1,) + (1,) * (values.ndim - 1))
-            sums[rows] += weights * values[self.ids[at]]
+            weights = self.weights[at].reshape((-1,) + (1,) * (given.ndim - 1))
+            sums[rows] += weights * given[self.ids[at]]
         return sums
 
-    def to_scipy(self) -> Any:
+    def to_scipy(self) -> csr_matrix:
         """The same as a scipy.sparse.csr_matrix."""
         from scipy.sparse import csr_matrix
 
@@ -63,7 +70,7 @@ def _compute(mesh, cells, function, options):
 
 
 def operator_matrix(
-    mesh: Any, cells: Any = None, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+    mesh: AnyMesh, cells: Optional[Cells] = None, *, function: Union[str, Callable[..., object]] = "subdivide", **options: Any
 ) -> Rows:
     """The matrix S of `subdivide` or `surface_subdivision` with these options: a row for each point of the output, a
     column for each point of the input. S times the points is the output but for rounding.
@@ -79,7 +86,7 @@ def operator_matrix(
 
 
 def operator_factors(
-    mesh: Any, cells: Any = None, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+    mesh: AnyMesh, cells: Optional[Cells] = None, *, function: Union[str, Callable[..., object]] = "subdivide", **options: Any
 ) -> List[Rows]:
     """Matrices whose product is S, the first of them to be applied first. They sum as the filter does: one multiplied
     after the other gives the output bit for bit, where points are in double and no cell gets a point at its centre.

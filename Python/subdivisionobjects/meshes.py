@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from . import files
-from .arrays import Arrays
+from .arrays import Arrays, Image
 from .cells import NAMES, join_blocks, set_cells
 from .execution import warn
 from .run import check_texts, nearest
@@ -32,6 +32,8 @@ def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False,
         mesh = mesh.GetOutputDataObject(0)
     if isinstance(mesh, (str, os.PathLike)):
         mesh = files.read(mesh)
+    if isinstance(mesh, Image):
+        mesh = mesh.to_vtk()
     if isinstance(mesh, vtkDataObject):
         if cells is not None or point_data or cell_data:
             raise TypeError("a data set has cells and arrays of its own")
@@ -267,7 +269,10 @@ def to_creases(value, mesh):
 
 
 def like(mesh, output, forms):
-    """The output of a filter in the way in which its input was given, and arrays in the forms of those there."""
+    """The output of a filter in the way in which its input was given, and arrays in the forms of those there. A table is
+    a dictionary of its columns."""
+    if isinstance(output, vtkTable):
+        return data_arrays(output.GetRowData())
     if isinstance(mesh, vtkDataObject):
         if any(base.__module__.split(".")[0] == "pyvista" for base in type(mesh).__mro__):
             return sys.modules["pyvista"].wrap(output)
@@ -276,7 +281,36 @@ def like(mesh, output, forms):
         return output
     if isinstance(output, vtkCompositeDataSet):
         return [output.GetBlock(i) for i in range(output.GetNumberOfBlocks())]
-    return to_arrays(output, forms)
+    return (to_samples if isinstance(output, vtkImageData) else to_arrays)(output, forms)
+
+
+def to_samples(image, forms=None):
+    """The arrays of an image, which have the axes z, y and x: x goes fastest in VTK."""
+    shape = image.GetDimensions()[::-1]
+    arrays = data_arrays(image.GetPointData(), (forms or {}).get("point"))
+    lows = image.GetExtent()[::2] if image.GetNumberOfPoints() else (0, 0, 0)
+    origin = tuple(o + s * low for o, s, low in zip(image.GetOrigin(), image.GetSpacing(), lows))
+    active = image.GetPointData().GetScalars()
+    return Image({name: values.reshape(shape + values.shape[1:]) for name, values in arrays.items()}, origin,
+                 image.GetSpacing(), active and active.GetName())
+
+
+def from_image(image):
+    """Arrays with the axes z, y and x as a vtkImageData."""
+    made = vtkImageData()
+    made.SetOrigin(*three_numbers("origin", image.origin, None))
+    made.SetSpacing(*three_numbers("spacing", image.spacing, None))
+    shapes = {np.shape(values)[:3] for values in image.values()}
+    if len(shapes) > 1 or any(len(shape) < 3 for shape in shapes):
+        raise ValueError(f"the arrays of an image must have the same axes z, y and x, not the shapes {sorted(shapes)}")
+    if shapes:
+        made.SetDimensions(*shapes.pop()[::-1])
+    for name, values in image.items():
+        values = to_numpy(name, values)
+        made.GetPointData().AddArray(to_array(name, values.reshape(-1, *values.shape[3:]), made.GetNumberOfPoints()))
+    if image.scalars in image:
+        made.GetPointData().SetActiveScalars(image.scalars)
+    return made
 
 
 def to_arrays(mesh, forms=None):

@@ -8,7 +8,7 @@ import math
 import numbers
 import operator
 import re
-from typing import Any, Dict, NamedTuple
+from typing import Dict, NamedTuple, Optional, Tuple
 
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -156,13 +156,14 @@ class Filter(NamedTuple):
     """What a function runs: a class, its options by the names of arguments, and shorter names of these."""
 
     name: str
+    label: str
     cls: str
     help: str
     more_help: str
-    inputs: Any
+    inputs: Tuple[str, ...]
     options: Dict[str, Option]
     aliases: Dict[str, str]
-    criteria: Dict[str, Any]
+    criteria: Dict[str, Tuple[str, Optional[str]]]
     words: Dict[str, str]
 
     def names(self):
@@ -183,8 +184,8 @@ class Filter(NamedTuple):
                 raise ValueError(f"{name} and {self.aliases[name]} are the same: give one of them")
 
     def has(self, method):
-        """Whether its class has a method."""
-        return hasattr(getattr(vtkSubdivisionObjects, self.cls), method)
+        """Whether its class has a method, and makes a mesh for which that is."""
+        return self.name not in ("measures", "sample") and hasattr(getattr(vtkSubdivisionObjects, self.cls), method)
 
     def values(self, given):
         """The values of all options, and of other arguments that are given."""
@@ -202,6 +203,7 @@ def find_filter(function):
     name = getattr(function, "__name__", function)
     if name == "multi_dimensional_subdivision":
         name = "subdivide"
+    name = next((one.name for one in FILTERS.values() if plain(name) == plain(one.label)), name)
     if name not in FILTERS:
         raise ValueError(f"there is no function {name!r}: they are {', '.join(FILTERS)}{nearest(name, FILTERS)}")
     return FILTERS[name]
@@ -266,10 +268,10 @@ def choose_criteria(criteria, refine, values):
 class Ready(NamedTuple):
     """A filter with its input and options, and what its output is to be like."""
 
-    made: Any
-    mesh: Any
-    forms: Dict[str, Any]
-    values: Dict[str, Any]
+    made: vtkAlgorithm
+    mesh: object
+    forms: Dict[str, Dict[str, object]]
+    values: Dict[str, object]
 
 
 def prepare(one, given):
@@ -284,7 +286,8 @@ def prepare(one, given):
         raise TypeError("mesh is None: give a data set of VTK, points and cells, a file, or a mesh that has them")
     forms = {"point": {}, "cell": {}, "field": {}}
     data = [values.pop(key, None) for key in ("cells", "point_data", "cell_data")]
-    more = {key: values.pop(key, None) for key in (*meshes.ATTRIBUTES, "spacing", "origin", "creases", "refine")}
+    more = {key: None if key in one.options else values.pop(key, None)
+            for key in (*meshes.ATTRIBUTES, "spacing", "origin", "creases", "refine")}
     if more["refine"] is not None:
         choose_criteria(one.criteria, more["refine"], values)
     if one.inputs == OF_IMAGES:
@@ -350,6 +353,8 @@ def set_creases(made, options, values, creases):
 
 
 def is_empty(data):
-    """Whether it has no cells."""
+    """Whether it has no cells, or rows."""
+    if hasattr(data, "GetNumberOfRows"):
+        return not data.GetNumberOfRows()
     blocks = [data.GetBlock(i) for i in range(data.GetNumberOfBlocks())] if hasattr(data, "GetNumberOfBlocks") else [data]
     return not any(one and one.GetNumberOfCells() for one in blocks)

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Dict, Mapping, Union, overload
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Union, overload
 
 from . import limits, matrices
 from .arrays import Arrays
@@ -12,6 +12,9 @@ from .run import FILTERS, execute, find_filter, prepare
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import ArrayLike
+    from vtkmodules.vtkCommonDataModel import vtkPointSet
+
+    from .kinds import AnyMesh, Cells, Data
 
 # The name of values that are given without one.
 VALUES = "Values"
@@ -30,7 +33,7 @@ class Subdivider:
     """
 
     def __init__(
-        self, mesh: Any, cells: Any = None, *, function: Union[str, Callable[..., Any]] = "subdivide", **options: Any
+        self, mesh: AnyMesh, cells: Optional[Cells] = None, *, function: Union[str, Callable[..., object]] = "subdivide", **options: Any
     ) -> None:
         from . import meshes
 
@@ -66,14 +69,14 @@ class Subdivider:
         return self.mesh.cell_data
 
     @overload
-    def apply(self, values: Mapping[str, Any]) -> Arrays:
+    def apply(self, values: Data) -> Arrays:
         ...
 
     @overload
     def apply(self, values: ArrayLike) -> np.ndarray[Any, Any]:
         ...
 
-    def apply(self, values: Any) -> Any:
+    def apply(self, values: Union[Data, ArrayLike]) -> Union[Arrays, np.ndarray[Any, Any]]:
         """What becomes of values at the points of the input: an array with a number or a row of numbers for each point
         gives the array at the fine points, a dictionary of arrays by name the fine mesh with these arrays.
 
@@ -83,7 +86,7 @@ class Subdivider:
         from . import meshes
 
         named = dict(values) if hasattr(values, "items") else {VALUES: values}
-        forms: Dict[str, Any] = {}
+        forms: Dict[str, object] = {}
         made = self._ready.made
         made.SetInputDataObject(0, self._with_values(named, forms))
         try:
@@ -96,7 +99,7 @@ class Subdivider:
         made = self.mesh
         return Arrays(made.points, made.cells, {name: found[name] for name in named}, made.cell_data, made.field_data)
 
-    def _with_values(self, named: Dict[str, Any], forms: Dict[str, Any]) -> Any:
+    def _with_values(self, named: Dict[str, ArrayLike], forms: Dict[str, object]) -> vtkPointSet:
         """The input with these values in the place of others at points that choose no rules."""
         from . import meshes
 
@@ -118,6 +121,6 @@ class Subdivider:
         `to_scipy()` is a scipy.sparse.csr_matrix."""
         return matrices.operator_matrix(self._ready.made)
 
-    def evaluate(self, cells: Any, parameters: Any) -> Arrays:
+    def evaluate(self, cells: ArrayLike, parameters: ArrayLike) -> Arrays:
         """The limit at places of cells of the input: see `evaluate_limit`."""
         return limits.evaluate_limit(self._ready.made, cells, parameters)

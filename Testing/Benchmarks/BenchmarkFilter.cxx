@@ -54,6 +54,16 @@ Produced RunWith(
   return Tell(filter->GetOutput());
 }
 
+/// Execution without smoothing, of cells that keep their types.
+Produced RunLinear(Stopwatch& watch, const Case& which, int levels)
+{
+  const auto filter = MakeFilter(which, levels, false);
+  filter->SetVolumeSchemeToLinear();
+  filter->KeepCellTypesOn();
+  watch.Time([&]() { filter->Update(); });
+  return Tell(filter->GetOutput());
+}
+
 /// Execution with the same cells, points and options, and another scalar.
 Produced RunAgain(Stopwatch& watch, const Case& which, int levels)
 {
@@ -107,6 +117,7 @@ Produced RunControl(Stopwatch& watch, const ControlMesh& mesh)
   filter->SetInputData(ToVtk(mesh.Make(mesh.Size)));
   filter->SetNumberOfLevels(mesh.Levels);
   filter->SetMaximumNumberOfCells(VTK_ID_MAX);
+  filter->SmoothShadingOff();
   SetCache(filter.Get(), false, 0);
   watch.Time([&]() { filter->Update(); });
   return Tell(filter->GetOutput());
@@ -149,6 +160,8 @@ void RegisterFilter()
     }
     Register("filter/tetoct/cube/levels:3", threads,
       [&cube](Stopwatch& watch) { return RunWith(watch, cube, 3, true, false, false); });
+    Register("filter/linear/hexahedra/levels:3", threads,
+      [](Stopwatch& watch) { return RunLinear(watch, GetCase("hexahedra"), 3); });
     for (const bool normals : { false, true })
     {
       const std::string what = normals ? "normals" : "limits";
@@ -219,6 +232,7 @@ vtkSmartPointer<vtkMultiDimensionalSubdivision> MakeFilter(
   filter->SetInputData(GetInput(which));
   filter->SetNumberOfLevels(levels);
   filter->SetMaximumNumberOfCells(VTK_ID_MAX);
+  filter->SmoothShadingOff();
   SetCache(filter.Get(), cache, 0);
   return filter;
 }

@@ -100,10 +100,12 @@ std::string GetDataFolder()
   return folder ? folder : SUBDIVISIONOBJECTS_SHARED_DATA;
 }
 
-FlatMesh MakeCube(int n)
+namespace
+{
+
+FlatMesh MakeLattice(int n)
 {
   FlatMesh mesh;
-  mesh.Corners = 4;
   for (int k = 0; k <= n; ++k)
   {
     for (int j = 0; j <= n; ++j)
@@ -114,6 +116,38 @@ FlatMesh MakeCube(int n)
       }
     }
   }
+  return mesh;
+}
+
+}
+
+FlatMesh MakeHexahedra(int n)
+{
+  FlatMesh mesh = MakeLattice(n);
+  mesh.Corners = 8;
+  const int row = n + 1;
+  for (int k = 0; k < n; ++k)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      for (int i = 0; i < n; ++i)
+      {
+        const int a = i + row * (j + row * k);
+        for (const int corner : { a, a + row * row })
+        {
+          mesh.Cells.insert(
+            mesh.Cells.end(), { corner, corner + 1, corner + row + 1, corner + row });
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+FlatMesh MakeCube(int n)
+{
+  FlatMesh mesh = MakeLattice(n);
+  mesh.Corners = 4;
   const int step[3] = { 1, n + 1, (n + 1) * (n + 1) };
   const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 1, 0, 2 }, { 0, 2, 1 },
     { 2, 1, 0 } };
@@ -307,7 +341,7 @@ vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh)
   vtkNew<vtkCellArray> cells;
   for (int c = 0; c < mesh.GetNumberOfCells(); ++c)
   {
-    vtkIdType ids[4];
+    vtkIdType ids[8];
     std::copy_n(mesh.Cells.data() + mesh.Corners * c, mesh.Corners, ids);
     cells->InsertNextCell(mesh.Corners, ids);
   }
@@ -321,7 +355,7 @@ vtkSmartPointer<vtkPointSet> ToVtk(const FlatMesh& mesh)
   else
   {
     vtkNew<vtkUnstructuredGrid> grid;
-    grid->SetCells(VTK_TETRA, cells);
+    grid->SetCells(mesh.Corners == 8 ? VTK_HEXAHEDRON : VTK_TETRA, cells);
     result = grid;
   }
   result->SetPoints(points);
@@ -417,6 +451,7 @@ const std::vector<Case>& GetCases()
       { "cube", 3, []() { return ToVtk(MakeCube(12)); } },
       { "sphere", 3, []() { return ToVtk(MakeSphere(5)); } },
       { "polylines", 3, []() { return MakePolylines(1000, 1000); } },
+      { "hexahedra", 3, []() { return ToVtk(MakeHexahedra(22)); } },
     };
     for (const char* name :
       { "large_porepy_case3_500k.vtu", "tet_geos_synthetic.vtu", "surf_bunny_full.vtp" })
@@ -466,6 +501,10 @@ OutputSize MeasureOutput(vtkUnstructuredGrid* output)
   size.Arrays = { bytes(output->GetPoints()->GetData()),
     bytes(output->GetPointData()->GetScalars()), bytes(output->GetCells()->GetConnectivityArray()),
     bytes(output->GetCells()->GetOffsetsArray()), bytes(subdivision::GetCellTypes(output)) };
+  if (vtkDataArray* pieces = output->GetCellData()->GetArray("OctahedronId"))
+  {
+    size.Arrays.push_back(bytes(pieces));
+  }
   return size;
 }
 
@@ -479,6 +518,7 @@ const OutputSize& GetOutputSize(const Case& which, int levels)
     filter->SetInputData(GetInput(which));
     filter->SetNumberOfLevels(levels);
     filter->SetMaximumNumberOfCells(VTK_ID_MAX);
+    filter->SmoothShadingOff();
     filter->Update();
     size = MeasureOutput(filter->GetOutput());
   }

@@ -20,7 +20,7 @@ class vtkUnstructuredGrid;
 namespace benchmarks
 {
 
-/// Triangles, quads or tetrahedra as other libraries want them.
+/// Triangles, quads, tetrahedra or hexahedra as other libraries want them.
 struct FlatMesh
 {
   int Corners = 0; ///< per cell
@@ -35,6 +35,8 @@ struct FlatMesh
 
 /// A unit cube of n^3 x 6 tetrahedra (Kuhn).
 FlatMesh MakeCube(int n);
+/// The same cube of n^3 hexahedra.
+FlatMesh MakeHexahedra(int n);
 /// A closed surface of 20 x 4^levels triangles.
 FlatMesh MakeSphere(int levels);
 /// A closed surface of 2 x n^2 triangles.
@@ -79,8 +81,9 @@ struct OutputSize
 {
   double Cells = 0.;
   double Points = 0.;
-  double Bytes = 0.;               ///< GetActualMemorySize
-  std::vector<std::size_t> Arrays; ///< bytes of points, scalar, connectivity, offsets, types
+  double Bytes = 0.; ///< GetActualMemorySize
+  std::vector<std::size_t>
+    Arrays; ///< bytes of points, scalar, connectivity, offsets, types, pieces
 };
 OutputSize MeasureOutput(vtkUnstructuredGrid* output);
 const OutputSize& GetOutputSize(const Case& which, int levels);

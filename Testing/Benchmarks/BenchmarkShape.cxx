@@ -64,6 +64,7 @@ Produced RunUniform(Stopwatch& watch, const ShapeCase& which)
   filter->SetInputData(MakeInput(which));
   filter->SetNumberOfLevels(which.UniformLevels);
   filter->ProjectToLimitOn();
+  filter->SmoothShadingOff();
   return Run(watch, filter.Get());
 }
 

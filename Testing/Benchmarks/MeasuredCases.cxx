@@ -3,12 +3,12 @@
  * @file MeasuredCases.cxx
  * Runs one of the main cases by itself, for tools that look at a process.
  *
- *   SubdivisionObjectsCase NAME [SIZE [REPETITIONS [THREADS]]]
+ *   SubdivisionObjectsCase NAME[-normals|-limits] [SIZE [REPETITIONS [THREADS]]]
  *
- * SIZE 1 (default) gives about a hundredth of the cells that benchmarks have, 2 as many as they.
- * Prints the cells of the output, and the milliseconds of all threads together in each repetition.
- * The work is in MeasuredWork, so that `valgrind --tool=callgrind --toggle-collect=MeasuredWork`
- * counts nothing else.
+ * With normals of the limit, or points on it, behind a case's name. SIZE 1 (default) gives about a
+ * hundredth of the cells that benchmarks have, 2 as many as they. Prints the cells of the output,
+ * and the milliseconds of all threads together in each repetition. The work is in MeasuredWork, so
+ * that `valgrind --tool=callgrind --toggle-collect=MeasuredWork` counts nothing else.
  */
 #include "BenchmarkMeshes.h"
 
@@ -19,8 +19,10 @@
 #include "vtkSMPTools.h"
 #include "vtkSurfaceSubdivision.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <string>
 
@@ -50,6 +52,10 @@ vtkSmartPointer<vtkPointSet> MakeTets(bool large)
 {
   return ToVtk(benchmarks::MakeCube(large ? 12 : 3));
 }
+vtkSmartPointer<vtkPointSet> MakeHexes(bool large)
+{
+  return ToVtk(benchmarks::MakeHexahedra(large ? 22 : 5));
+}
 vtkSmartPointer<vtkPointSet> MakeTriangles(bool large)
 {
   return ToVtk(benchmarks::MakeSphere(large ? 5 : 2));
@@ -65,29 +71,42 @@ vtkSmartPointer<vtkPointSet> MakeLines(bool large)
 
 const Entry Entries[] = {
   { "tetrahedra", MakeTets, -1, 3 },
+  { "hexahedra", MakeHexes, -1, 3 },
   { "triangles", MakeTriangles, -1, 3 },
   { "polylines", MakeLines, -1, 3 },
   { "Loop", MakeTriangles, vtkSurfaceSubdivision::LOOP, 3 },
+  { "Butterfly", MakeTriangles, vtkSurfaceSubdivision::MODIFIED_BUTTERFLY, 3 },
+  { "sqrt3", MakeTriangles, vtkSurfaceSubdivision::SQRT_THREE, 4 },
   { "Catmull-Clark", MakeQuads, vtkSurfaceSubdivision::CATMULL_CLARK, 3 },
+  { "Doo-Sabin", MakeQuads, vtkSurfaceSubdivision::DOO_SABIN, 3 },
+  { "Midedge", MakeQuads, vtkSurfaceSubdivision::MIDEDGE, 6 },
   { "4-8", MakeQuads, vtkSurfaceSubdivision::FOUR_EIGHT, 6 },
 };
 
-vtkSmartPointer<vtkAlgorithm> MakeFilter(const Entry& entry, vtkPointSet* input)
+template <typename Filter>
+vtkSmartPointer<Filter> MakeFilter(const Entry& entry, const std::string& addition)
+{
+  auto filter = vtkSmartPointer<Filter>::New();
+  filter->SetNumberOfLevels(entry.Levels);
+  filter->SetGenerateLimitNormals(addition == "-normals");
+  filter->SetProjectToLimit(addition == "-limits");
+  filter->SmoothShadingOff();
+  filter->SetCacheOperator(false);
+  return filter;
+}
+
+vtkSmartPointer<vtkAlgorithm> MakeFilter(
+  const Entry& entry, const std::string& addition, vtkPointSet* input)
 {
   vtkSmartPointer<vtkAlgorithm> filter;
   if (entry.Scheme < 0)
   {
-    vtkNew<vtkMultiDimensionalSubdivision> made;
-    made->SetNumberOfLevels(entry.Levels);
-    made->SetCacheOperator(false);
-    filter = made;
+    filter = MakeFilter<vtkMultiDimensionalSubdivision>(entry, addition);
   }
   else
   {
-    vtkNew<vtkSurfaceSubdivision> made;
+    const auto made = MakeFilter<vtkSurfaceSubdivision>(entry, addition);
     made->SetScheme(entry.Scheme);
-    made->SetNumberOfLevels(entry.Levels);
-    made->SetCacheOperator(false);
     filter = made;
   }
   filter->SetInputDataObject(0, input);
@@ -109,14 +128,16 @@ int main(int argc, char** argv)
   vtkSMPTools::Initialize(number(4));
   for (const Entry& entry : Entries)
   {
-    if (entry.Name != name)
+    const std::string addition = name.substr(std::min(name.size(), std::strlen(entry.Name)));
+    if (name != entry.Name + addition ||
+      (!addition.empty() && addition != "-normals" && addition != "-limits"))
     {
       continue;
     }
     const auto input = entry.MakeInput(number(2) > 1);
     for (int i = 0; i < number(3); ++i)
     {
-      const auto filter = MakeFilter(entry, input);
+      const auto filter = MakeFilter(entry, addition, input);
       const std::clock_t begin = std::clock();
       MeasuredWork(filter);
       const double taken = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -235,6 +235,7 @@ SPHERE = ("filter", "first", "sphere", 3)
 POLYLINES = ("filter", "first", "polylines", 3)
 PERCENT = ("redgreen", "filter", "percent", 1)
 CORNER = ("redgreen", "filter", "corner", 4)
+HEXAHEDRA = ("filter", "first", "hexahedra", 3)
 AGAIN = ("deformation", "again", "million", 3)
 
 # Figure, writing its output, and the name.
@@ -242,11 +243,12 @@ WITH_LIMITS = [
     ("(a) tetrahedra, box spline", CUBE, ("limit", "huge", "cube", 3)),
     ("(b) triangles, main filter", SPHERE, ("limit", "huge", "sphere", 3)),
     ("(e) polylines", POLYLINES, ("limit", "huge", "polylines", 3)),
+    ("hexahedra, uncut", HEXAHEDRA, ("limit", "huge", "hexahedra", 3)),
     ("red-green, 1 % of 5 million tetrahedra", PERCENT, ("redgreen-limit", "filter-huge", "percent", 1)),
     ("red-green, corner", CORNER, ("redgreen-limit", "filter-huge", "corner", 4)),
     ("deforming 10^6 points again", AGAIN, ("limit", "deformation-huge", "million", 3)),
 ]
-LIMIT_BARS = [1.6, 2.2, 1.5, 2.0, 5.0, 1.3]
+LIMIT_BARS = [1.6, 2.2, 1.5, 2.5, 2.0, 5.0, 1.3]
 
 # Scheme, mesh, levels, the peer, the bar.
 BESIDE_PEERS = [
@@ -317,7 +319,8 @@ BARS += [Flat("%s, levels" % name, ("filter", "first", case, None))
          for name, case in (("tetrahedra", "cube"), ("triangles", "sphere"), ("polylines", "polylines"))]
 BARS += [Flat("%s, control meshes" % kind, ("control", kind, None, levels))
          for kind, levels in (("tetrahedra", 1), ("triangles", 2))]
-BARS += [Memory("tetrahedra, box spline", CUBE, 1.15), Memory("triangles, main filter", SPHERE, 1.3)]
+BARS += [Memory("tetrahedra, box spline", CUBE, 1.15), Memory("triangles, main filter", SPHERE, 1.3),
+         Memory("hexahedra, uncut", HEXAHEDRA, 1.2)]
 BARS += [Memory(scheme, surface(scheme, mesh, levels), 1.3) for scheme, mesh, levels in SURFACES]
 
 

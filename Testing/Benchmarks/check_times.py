@@ -88,6 +88,28 @@ def bezier():
     yield "Bezier cells of the mechanical part by two levels, s", timed(run, 1), 12.0
 
 
+def curved():
+    """Curved cells for solvers beside linear cells of the same points on the limit: at most three times."""
+    mesh = model(so.vtkSubdivisionModelSource.MECHANICAL_PART)
+
+    def making(levels, cells, order):
+        def run():
+            made = so.vtkMultiDimensionalSubdivision()
+            made.SetInputData(mesh)
+            made.SetNumberOfLevels(levels)
+            made.SetOutputCells(cells)
+            made.SetCellOrder(order)
+            made.CacheOperatorOff()
+            made.ProjectToLimitOn()
+            made.SmoothShadingOff()
+            made.Update()
+            assert made.GetOutput().GetNumberOfCells() > 0
+        return run
+    linear = timed(making(3, 0, 1), 5)
+    for name, steps, cells, order in (("Quadratic", 1, 2, 2), ("Lagrange of order 4", 2, 3, 4)):
+        yield f"{name} cells, times linear ones of as many points", timed(making(3 - steps, cells, order), 5) / linear, 3.0
+
+
 def smoothness():
     """10 s at the defaults for 57,000 solids."""
     image = vtk.vtkImageData()
@@ -129,7 +151,7 @@ def blocks():
 def main():
     missed = False
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""
-    for check in (probes, probe_of_many, bezier, smoothness, blocks):
+    for check in (probes, probe_of_many, bezier, curved, smoothness, blocks):
         for name, figure, bar in check():
             if wanted in name:
                 missed = missed or figure > bar

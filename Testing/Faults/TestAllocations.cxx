@@ -145,6 +145,14 @@ bool IsOn(const subdivide::Option& option, Settings set)
     : set == Settings::All && option.Type == subdivide::Kind::Switch && !needsMore && !isOfBounds;
 }
 
+/// What an edit needs to do something: Translation, a falloff, and local frames.
+bool IsEdit(const subdivide::Option& option, const Tried& tried)
+{
+  const std::string name = option.Property;
+  return tried.Filter == "edit" &&
+    (name == "Translation" || name == "FalloffRadius" || name == "Frame");
+}
+
 int FindEntry(const subdivide::Option& option, const std::string& name)
 {
   for (const auto& entry : option.Entries)
@@ -165,7 +173,8 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(
   {
     subdivide::Value value;
     value.Numbers.assign(option.Count, 1.);
-    if (option.Type == subdivide::Kind::Mesh)
+    const bool isGrid = Has(tried.Filter, "sampler") && option.Port == 3; // it is an image
+    if (option.Type == subdivide::Kind::Mesh && !isGrid)
     {
       filter->SetInputDataObject(option.Port, input);
     }
@@ -183,7 +192,9 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(
     {
       value.Numbers = { 2. };
     }
-    if (IsLevel(option) || IsOn(option, tried.Set) || isEntry)
+    const bool isSize = std::strcmp(option.Property, "NumberOfSamples") == 0; // of an image
+    value.Numbers = isSize ? std::vector<double>{ 12. } : value.Numbers;
+    if (IsLevel(option) || IsOn(option, tried.Set) || isEntry || IsEdit(option, tried) || isSize)
     {
       option.Set(filter, value);
     }
@@ -228,7 +239,7 @@ bool ChoosesCode(const subdivide::Option& option)
 {
   const std::string name = option.Property;
   return option.Type == subdivide::Kind::Choice &&
-    (Has(name, "Scheme") || name == "Placement" || name == "OutputCells");
+    (Has(name, "Scheme") || name == "Placement" || name == "OutputCells" || name == "FalloffAlong");
 }
 
 /// The runs of one filter.
@@ -358,17 +369,19 @@ std::vector<Tried> ListTried()
 }
 
 /// Runs of so many calls or less have each call fail, longer ones each k-th, except those of the
-/// default and of all switches, as long as the filter is not the probe: it would take an hour.
+/// default and of all switches, as long as the filter is not the probe or the sampler: it would
+/// take an hour.
 constexpr long Most = 100;
 
 long GetStep(const Tried& tried, long calls)
 {
-  const bool isEach =
-    (tried.Set == Settings::Default || tried.Set == Settings::All) && !Has(tried.Filter, "probe");
+  const bool isEach = (tried.Set == Settings::Default || tried.Set == Settings::All) &&
+    !Has(tried.Filter, "probe") && !Has(tried.Filter, "sampler");
   return isEach ? 1 : std::max(1L, calls / Most);
 }
 
-/// The calls that fail: of large runs 20 at random.
+/// The calls that fail: of large runs one at random in each twentieth, so that no part of a run is
+/// left out by chance.
 std::vector<long> ListCalls(const Tried& tried, long calls)
 {
   std::vector<long> list;
@@ -385,9 +398,12 @@ std::vector<long> ListCalls(const Tried& tried, long calls)
     given ? static_cast<unsigned>(std::strtoul(given, nullptr, 10)) : std::random_device()();
   std::cout << "SUBDIVISIONOBJECTS_RANDOM_SEED=" << seed << "\n";
   std::mt19937 chance(seed);
-  for (int i = 0; i < 20 && calls > 0; ++i)
+  constexpr long parts = 20;
+  for (long part = 0; part < parts && calls > 0; ++part)
   {
-    list.push_back(static_cast<long>(chance() % static_cast<unsigned long>(calls)));
+    const long first = part * calls / parts;
+    const auto size = static_cast<unsigned long>((part + 1) * calls / parts - first);
+    list.push_back(first + static_cast<long>(size > 0 ? chance() % size : 0));
   }
   return list;
 }

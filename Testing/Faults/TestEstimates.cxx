@@ -10,6 +10,7 @@
 #include "Turns.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkImageData.h"
 #include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
 #include "vtkSurfaceSubdivision.h"
@@ -130,7 +131,7 @@ void ExpectEstimateOfSurface(const Scheme& scheme, bool isClosed, const std::str
 
 TEST_P(Estimates, Surfaces)
 {
-  for (const std::string options : { "", "C", "S", "A", "PC", "PNTA" })
+  for (const std::string options : { "", "C", "S", "A", "N", "PC", "PN", "PNTA" })
   {
     for (const bool isClosed : { true, false })
     {
@@ -177,5 +178,27 @@ TEST(EstimatesOfSolids, MixedDimensions)
             options);
       }
     }
+  }
+}
+
+TEST(EstimatesOfSolids, CellsThatKeepTheirTypes)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(13, 13, 13);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(20, 20);
+  plane->Update();
+  for (const std::string options : { "linear", "", "C", "N", "NTC", "surface N" })
+  {
+    const bool isLinear = options == "linear";
+    const bool isSurface = Has(options, 's');
+    vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetInputDataObject(
+      isSurface ? static_cast<vtkDataObject*>(plane->GetOutput()) : image.Get());
+    isLinear ? filter->SetVolumeSchemeToLinear() : filter->SetVolumeSchemeToHybrid();
+    filter->SetKeepCellTypes(isLinear);
+    Set(filter.Get(), options);
+    filter->SetNumberOfLevels(isSurface ? 5 : 3);
+    ExpectEstimate(filter.Get(), "types stay: " + options);
   }
 }

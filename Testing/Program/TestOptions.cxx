@@ -42,7 +42,7 @@ Command Read(const Filter& filter, const std::vector<std::string>& more)
   {
     arguments.emplace_back("in.vtu");
   }
-  arguments.emplace_back("out.vtu");
+  arguments.emplace_back("out.vtk"); // for meshes and tables
   return ReadCommandLine(arguments);
 }
 

@@ -18,8 +18,10 @@ PARTS = {
     "triangles": ["Loop", "Butterfly", "OtherSurfaces"],
     "quads": ["CatmullClark"],
     "solids": ["BoxSpline", "TetOct"],
+    "hybrid": ["Hybrid"],
     "measured": ["MeasuredSmoothness"],
     "approximation": ["ApproximationOrder"],
+    "convergence": ["Convergence"],
 }
 
 

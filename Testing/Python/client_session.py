@@ -8,7 +8,7 @@ import unittest
 from client_tools import (
     QtCore, QtWidgets, act, application, cells, choose, choose_with_inputs, filters, find, groups, heading, panel, picture, push,
     quick_launch, sees, selection, settle, show_advanced, shown)
-from paraview import simple, smtrace
+from paraview import servermanager, simple, smtrace
 
 
 class Client(unittest.TestCase):
@@ -54,6 +54,68 @@ class Client(unittest.TestCase):
                 for text in list(groups()):
                     heading(text).click()
                 show_advanced(False)
+
+    def test_levels_and_what_the_next_apply_makes(self):
+        def told():
+            settle()
+            return shown().findChild(QtWidgets.QWidget, "NextApply").findChild(QtWidgets.QLabel).text()
+
+        for sphere, filters_of, levels, text in (
+                (simple.Sphere(), "Surface Subdivision", 2, "about 1,540 cells, 1 MB, below 1 s"),
+                (simple.Sphere(ThetaResolution=300, PhiResolution=300), "Surface Subdivision", 1, "about 715,000 cells, ")):
+            sphere.UpdatePipeline()
+            simple.SetActiveSource(sphere)
+            settle()
+            proxy = choose("menuFilters", filters_of)
+            self.assertEqual(proxy.NumberOfLevels, levels)
+            self.assertTrue(told().startswith(text), told())
+        servermanager.vtkSMUncheckedPropertyHelper(proxy.SMProxy, "NumberOfLevels").Set(10)
+        self.assertIn("more than Maximum Number Of Cells", told())
+        servermanager.vtkSMUncheckedPropertyHelper(proxy.SMProxy, "NumberOfLevels").Set(1)
+        push("Accept")
+        self.assertEqual(cells(proxy), 715200)
+        self.assertEqual(simple.SurfaceSubdivision(Input=simple.Sphere()).NumberOfLevels, 1)  # of a script
+        model = self.model("Ship")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        self.assertEqual((proxy.NumberOfLevels, proxy.Input), (2, model))
+        self.assertIn("about 12,100 cells", told())
+
+    def test_options_change_what_the_next_apply_makes(self):
+        """Before Apply, by the values that the panel shows."""
+        def told(proxy, **values):
+            for name, value in values.items():
+                servermanager.vtkSMUncheckedPropertyHelper(proxy.SMProxy, name).Set(value)
+            settle()
+            return shown().findChild(QtWidgets.QWidget, "NextApply").findChild(QtWidgets.QLabel).text()
+
+        def megabytes(text):
+            return float(text.split(" MB")[0].split()[-1].replace(",", ""))
+
+        model = self.model("Ship")
+        proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        plain = told(proxy, NumberOfLevels=4)
+        self.assertTrue(plain.startswith("about "), plain)
+        self.assertGreater(megabytes(told(proxy, GenerateTangents=1)), megabytes(plain))
+        told(proxy, GenerateTangents=0)
+        self.assertTrue(told(proxy, OutputCells=1).startswith("at most "))
+        self.assertGreater(megabytes(told(proxy, OutputCells=2)), megabytes(plain))
+        self.assertEqual(told(proxy, OutputCells=0), plain)
+        proxy.OutputDimensions = ["Lines"]
+        settle()
+        self.assertLess(megabytes(told(proxy)), megabytes(plain))
+        simple.SetActiveSource(model)
+        settle()
+        self.assertTrue(told(choose("menuFilters", "Red-Green Refinement"), MaximumLevel=2).startswith("at most "))
+        sphere = simple.Sphere()
+        cage = simple.CageAround(Input=sphere)
+        cage.UpdatePipeline()
+        simple.SetActiveSource(sphere)
+        settle()
+        self.assertTrue(told(choose("menuFilters", "Adaptive Surface Subdivision"), MaximumLevel=2).startswith("at most 864 cells"))
+        simple.SetActiveSource(sphere)
+        settle()
+        text = told(choose_with_inputs("Subdivision Deformation", RestMesh=cage, DeformedMesh=cage))
+        self.assertEqual(text, "about 96 cells, 1 MB")
 
     def test_other_sources(self):
         proxy = choose("menuSources", "Cage")
@@ -123,7 +185,7 @@ class Client(unittest.TestCase):
     def options_in_sight(self):
         """How many options the panel shows, with all its groups open: the criteria are one list."""
         widgets = [widget for widget in shown().findChildren(QtWidgets.QWidget) if widget.inherits("pqPropertyWidget")
-                   and widget.isVisible() and not widget.inherits("pqPropertyGroupWidget")]
+                   and widget.isVisible() and not widget.inherits("pqPropertyGroupWidget") and widget.objectName() != "NextApply"]
         count = sum(1 for widget in widgets
                     if not any(child.inherits("pqPropertyWidget") for child in widget.findChildren(QtWidgets.QWidget)))
         return count
@@ -190,7 +252,7 @@ class Client(unittest.TestCase):
                   "Through my points": {"InterpolatePoints": 1},
                   "For volume rendering": {"OutputDimensions": ["Tetrahedra"]}, "Exact split": {"VolumeScheme": "Linear"},
                   "Organic": {}}
-        plain_values = {"DetectFeatures": 0, "InterpolatePoints": 0, "VolumeScheme": "Standard",
+        plain_values = {"DetectFeatures": 0, "InterpolatePoints": 0, "VolumeScheme": "Automatic",
                         "OutputDimensions": ["Vertices", "Lines", "Triangles", "Tetrahedra"]}
         for text, changed in picked.items():
             box.setCurrentIndex(box.findText(text))
@@ -219,7 +281,8 @@ class Client(unittest.TestCase):
         text = smtrace.stop_trace()
         made = [line for line in text.splitlines()
                 if line.startswith("multidimensionalSubdivision1") and "Display" not in line]
-        self.assertEqual(len(made), 1, text)
+        self.assertEqual(len(made), 2, text)
+        self.assertEqual(made[1], "multidimensionalSubdivision1.NumberOfLevels = 2")
         for word in ("MarkSelection", "CreaseGeometry", "MarkFunction", "Preset"):
             self.assertNotIn(word, text)
         self.assertEqual(proxy.SMProxy.GetProperty("MarkSelection").GetPanelVisibility(), "never")
@@ -358,6 +421,7 @@ class Client(unittest.TestCase):
     def test_animation(self):
         self.model()
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        proxy.NumberOfLevels = 1
         push("Accept")
         first = cells(proxy)
         scene = simple.GetAnimationScene()
@@ -378,14 +442,14 @@ class Client(unittest.TestCase):
         push("Accept")
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
         box = shown().findChild(QtWidgets.QWidget, "VolumeScheme").findChild(QtWidgets.QComboBox)
-        self.assertEqual([box.itemText(i) for i in range(box.count())], ["Standard", "Even", "Linear"])
+        self.assertEqual([box.itemText(i) for i in range(box.count())], ["Automatic", "Standard", "Even", "Linear", "Keep cell types"])
         push("Accept")
-        box.setCurrentIndex(1)
+        box.setCurrentIndex(2)
         settle()
-        self.assertEqual(proxy.VolumeScheme, "Standard")
+        self.assertEqual(proxy.VolumeScheme, "Automatic")
         push("Reset")
-        self.assertEqual(box.currentText(), "Standard")
-        box.setCurrentIndex(1)
+        self.assertEqual(box.currentText(), "Automatic")
+        box.setCurrentIndex(2)
         push("Accept")
         self.assertEqual(proxy.VolumeScheme, "Even")
 
@@ -412,6 +476,7 @@ class Client(unittest.TestCase):
     def test_large_numbers_are_written_out(self):
         self.model()
         proxy = choose("menuFilters", "Multi-dimensional Subdivision")
+        proxy.NumberOfLevels = 1
         line = shown().findChild(QtWidgets.QWidget, "MaximumNumberOfCells").findChild(QtWidgets.QLineEdit)
         self.assertEqual(line.text(), "500,000,000")
         for typed, number in (("2e6", 2000000), ("12,345", 12345), ("many", 12345)):

@@ -5,6 +5,7 @@ The widgets belong to the client, by PyQt in the same process. Pictures of the p
 
 import ctypes
 import os
+import time
 
 from paraview import servermanager, simple
 
@@ -37,8 +38,12 @@ process_events = ctypes.PyDLL(None)["_ZN16QCoreApplication13processEventsE6QFlag
 
 
 def settle():
-    for _ in range(50):
+    """All that the client has to do is done, also what its timers of 10 ms bring, such as greyed filters in the menus."""
+    end = time.monotonic() + 0.03
+    rounds = 50
+    while rounds > 0 or time.monotonic() < end:
         process_events(0)
+        rounds -= 1
 
 
 def act(name):

@@ -159,6 +159,18 @@ class Limits(unittest.TestCase):
         at = subdivisionobjects.evaluate_limit(self.filter_of(line), data["CellId"], data["CellParameters"])
         np.testing.assert_allclose(at.points, points, rtol=0, atol=1e-14)
 
+    def test_probe_in_hexahedra(self):
+        """They are not cut: a place inside has the parameters of VTK."""
+        corners = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1.]])
+        mesh = meshes.to_vtk(corners, {"hexahedron": [range(8)]})
+        at = [[0.2, 0.4, 0.7], [0.5, 0.5, 0.5]]
+        places = subdivisionobjects.evaluate_limit(self.filter_of(mesh), [0, 0], at).points
+        found = subdivisionobjects.limit_probe(mesh, scheme="Automatic", places=np.vstack([places, [[0.5, 0.5, 5]]]))
+        data = meshes.data_arrays(found.GetPointData())
+        np.testing.assert_allclose(data["CellParameters"], at + [[0.5, 0.5, 1]], rtol=0, atol=1e-9)
+        np.testing.assert_allclose(data["Distance"][:2], 0, rtol=0, atol=1e-12)
+        self.assertGreater(data["Distance"][2], 4)
+
     def test_smoothness(self):
         """A point with four neighbours inside a solid fails by one scheme, and its four cells are refined for that."""
         points = [[0, 0, 0], [1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]]
@@ -174,6 +186,55 @@ class Limits(unittest.TestCase):
         self.assertEqual(finer.GetNumberOfCells(), 32)
         other = subdivisionobjects.smoothness(mesh, scheme="Tet/Oct", failing_only=True)
         self.assertEqual(other.GetNumberOfCells(), 0)
+
+    @staticmethod
+    def loop_step(n, k=None):
+        """Loop's step around a vertex of n triangles; with k on a boundary with k triangles, by the plain rule."""
+        size = n if k is None else k + 1
+        matrix = np.zeros((1 + size, 1 + size))
+        for j in range(size):
+            near = [1 + (j - 1) % size, 1 + (j + 1) % size]
+            if k is not None and j in (0, k):
+                matrix[1 + j, [0, 1 + j]] = 1 / 2
+                continue
+            matrix[1 + j, [0, 1 + j]] = 3 / 8
+            matrix[1 + j, near] += 1 / 8
+        ring = [1, size] if k is not None else list(range(1, size + 1))
+        matrix[0, ring] = 1 / 8 if k is not None else (3 / 16 if n == 3 else 3 / 8 / n)
+        matrix[0, 0] = 1 - matrix[0].sum()
+        return matrix
+
+    def test_smoothness_of_a_matrix(self):
+        for n, curvature in ((3, "bounded"), (4, "unbounded"), (5, "unbounded"), (6, "bounded"), (7, "unbounded")):
+            with self.subTest(n):
+                faces = [[0, 1 + j, 1 + (j + 1) % n] for j in range(n)]
+                found = subdivisionobjects.smoothness(self.loop_step(n), faces=faces)
+                waves = [3 / 8 + np.cos(2 * np.pi * m / n) / 4 for m in range(1, n)]
+                centre = 5 / 8 - n * self.loop_step(n)[0, 1]
+                np.testing.assert_allclose(found.eigenvalues, sorted([1, centre] + waves, reverse=True), atol=1e-9)
+                self.assertEqual((found.condition, found.curvature, found.regular), (True, curvature, True))
+                np.testing.assert_allclose(found.limit, [2 / 5] + [1 / 5] * 3 if n == 3 else [1 / 2] + [1 / 2 / n] * n)
+                turned = subdivisionobjects.smoothness(self.loop_step(n), faces=[faces[0], faces[1][::-1]])
+                self.assertFalse(turned.regular)
+        for k in range(2, 10):  # Mathematics 12: the plain rule is smooth for up to five triangles
+            found = subdivisionobjects.smoothness(self.loop_step(0, k), curves=1)
+            self.assertEqual(found.condition, k < 6)
+            self.assertEqual(found.map is None, k >= 6)
+        one = subdivisionobjects.smoothness(np.diag([1.0] * 4) / 2 + 1 / 8, dimension=1)
+        self.assertFalse(one.condition)
+
+    def test_matrices_that_are_no_steps(self):
+        wrong = self.loop_step(6)
+        wrong[3, 0] = 0.5
+        with self.assertRaisesRegex(ValueError, "row 3 sums to 1.125, not to 1: it may read points"):
+            subdivisionobjects.smoothness(wrong)
+        wrong[2, 0] = np.nan
+        with self.assertRaisesRegex(ValueError, "row 2 has numbers that are not finite"):
+            subdivisionobjects.smoothness(wrong)
+        with self.assertRaisesRegex(ValueError, "dimension must be 1 to 3, not 4"):
+            subdivisionobjects.smoothness(self.loop_step(6), dimension=4)
+        with self.assertRaisesRegex(ValueError, "rows of 3 numbers of points"):
+            subdivisionobjects.smoothness(self.loop_step(6), faces=[[0, 1]])
 
     @staticmethod
     def filter_of(mesh):
@@ -219,10 +280,26 @@ class Options(unittest.TestCase):
                     if member.startswith("Set") and "Get" + member[3:] in vars(base)} - {"SetController"}
             missing = ours - commands - {"SetOutputDimensions"}
             without = {"SetLoopWeights", "SetModifiedBoundary"} & missing if name in UNWEIGHTED else set()
+            if name in ("measures", "sample"):  # no mesh, which has levels, points and cells
+                without |= {"SetNumberOfLevels", "SetProjectToLimit", "SetGenerateLimitNormals", "SetGenerateTangents", "SetSmoothShading",
+                            "SetGenerateErrorBounds", "SetGenerateClassification", "SetOutputCells", "SetCellOrder",
+                            "SetBezierTolerance",
+                            "SetCacheOperator", "SetUse32BitIds", "SetOutputPointsPrecision"}
             self.assertLessEqual(missing - without, {
                 "SetEmbeddedCells", "SetInterpolateIntegers", "SetGenerateOriginalIds", "SetGenerateGlobalIds",
                 "SetInterpolatePoints", "SetInterpolateArrays", "SetInterpolationWeight", "SetBounds",
                 "SetInterfaceValues"}, name)
+
+    def test_measures_are_a_dictionary_of_arrays(self):
+        points = np.array(TET, float)
+        found = subdivisionobjects.measures(points, [[0, 1, 2, 3]], point_data={"Density": points[:, 0] + 1},
+                                            density_array="Density", scheme="linear")
+        self.assertEqual(found["Dimension"].tolist(), [3])
+        self.assertEqual(found["Centroid"].shape, (1, 3))
+        volume = abs(np.linalg.det(points[1:] - points[0])) / 6
+        np.testing.assert_allclose(found["Measure"], [volume], rtol=1e-12)
+        np.testing.assert_allclose(found["Mass"], [volume * (points[:, 0].mean() + 1)], rtol=1e-12)
+        self.assertLess(found["MassRemainder"][0], 1e-12)
 
     def test_wrong_values(self):
         cells = [[0, 1, 2, 3]]

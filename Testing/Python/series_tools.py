@@ -8,12 +8,33 @@ import threading
 import types
 import unittest
 import unittest.mock
+import warnings
 
 import numpy as np
 
 import subdivisionobjects
 from subdivisionobjects import Subdivider, execution, meshes
+from subdivisionobjects.run import FILTERS
 from task_tools import CUBE, POINTS, QUADS, TETS, grid
+
+# Of each function work that takes several reports: its mesh and its options.
+AROUND = subdivisionobjects.cage(bounds=[-1, 9, -1, 9, -1, 9], number_of_cells=[3, 3, 3])
+LONG = {
+    "subdivide": (grid(4), {"levels": 2}),
+    "surface_subdivision": ((CUBE, QUADS), {"levels": 6}),
+    "adaptive_surface_subdivision": ((CUBE, QUADS), {"refine": {"edge_length": 0.02}, "maximum_level": 12}),
+    "red_green_refinement": (grid(4), {"refine": {"edge_length": 0.3}}),
+    "simplicial_complex_topology": (grid(12), {}),
+    "deformation": (grid(8), {"rest_mesh": AROUND, "deformed_mesh": AROUND, "levels": 4}),
+    "edit": (grid(40), {"selection": {"points": [0]}, "falloff_radius": 60.0, "falloff_along": "Edges", "scale": (2.0, 1.0, 1.0)}),
+    "label_solid": ((np.pad(np.ones((8, 8, 8), int), 1),), {}),
+    "limit_probe": (grid(3), {"places": np.random.default_rng(1).random((2000, 3))}),
+    "measures": (grid(4), {"maximum_level": 3}),
+    "sample": (grid(4), {"number_of_samples": 150, "generate_coverage": True}),
+    "smoothness": (grid(4), {}),
+}
+# They take milliseconds, and report nothing between.
+SHORT = {"cage", "cage_around", "extract_dimensions", "model"}
 
 
 class Series(unittest.TestCase):
@@ -64,6 +85,20 @@ class Series(unittest.TestCase):
         self.assertEqual(len(smooth.matrix().offsets) - 1, len(smooth.points))
         self.assertEqual(smooth.evaluate([1], [[0.2, 0.2, 0.2]]).points.shape, (1, 3))
         self.assertRegex(repr(smooth), "<Subdivider: subdivide, 5 points to <Arrays: 14 points; 16 tetra")
+
+    def test_sides_that_touch(self):
+        """Points of the input that become one: each has a value, and that of the first counts."""
+        ids = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+        points, triangles = POINTS[:4][ids.ravel()], np.arange(12).reshape(4, 3)
+        whole = subdivisionobjects.subdivide(POINTS[:4], ids, levels=2)
+        for function in ("subdivide", "surface_subdivision"):
+            smooth = Subdivider(points, triangles, levels=2, function=function)
+            self.assertEqual(len(smooth.points), len(whole.points))
+            np.testing.assert_array_equal(smooth.apply(points), smooth.points)
+            values = np.random.default_rng(1).random(12)
+            rows = smooth.matrix()
+            self.assertEqual(rows.number_of_columns, 12)
+            np.testing.assert_allclose(smooth.apply(values), rows.multiply(values), rtol=0, atol=1e-14)
 
     def test_a_file_and_a_data_set(self):
         grid = meshes.to_vtk(POINTS, TETS)
@@ -199,6 +234,30 @@ class Progress(unittest.TestCase):
         self.assertEqual(told[-1], sent[0])
         self.assertLess(self.last_part(), 0.6)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
+
+    def test_ctrl_c_stops_every_function(self):
+        """A signal at the first report after the beginning: the filter comes no farther."""
+        self.assertEqual(set(LONG) | SHORT, set(FILTERS))
+        self.handle(signal.default_int_handler)
+        for name, (mesh, options) in LONG.items():
+            with self.subTest(name), warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                call = getattr(subdivisionobjects, name)
+                self.reports.clear()
+                call(*mesh, **options)
+                whole = self.last_part()
+                sent = []
+
+                def interrupt(done):
+                    if 0 < done < 1 and not sent:
+                        sent.append(done)
+                        os.kill(os.getpid(), signal.SIGINT)
+
+                self.reports.clear()
+                with self.assertRaises(KeyboardInterrupt):
+                    call(*mesh, progress=interrupt, **options)
+                self.assertLess(self.last_part(), whole)
+                self.assertLess(sum(sent[0] < part < 1 for part in self.reports), 3)
 
     def test_work_goes_on_after_a_stop(self):
         def stop(done):

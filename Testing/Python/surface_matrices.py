@@ -53,10 +53,10 @@ def find_quads(made, k, closed):
     return found
 
 
-def quad_matrix(made, k, closed):
+def quad_matrix(made, k, closed, **options):
     """What two 4-8 steps do to two rings, two steps in, where all else is regular."""
-    first = run(made, FOUR_EIGHT, 2)
-    second = run(with_identity(first), FOUR_EIGHT, 2)
+    first = run(made, FOUR_EIGHT, 2, **options)
+    second = run(with_identity(first), FOUR_EIGHT, 2, **options)
     here, there = (find_quads(level, k, closed) for level in (first, second))
     places = sorted(here)
     matrix = point_array(second, "e")[np.ix_([there[p] for p in places], [here[p] for p in places])]
@@ -64,10 +64,10 @@ def quad_matrix(made, k, closed):
     return places, matrix
 
 
-def triangle_matrix(made, k, closed):
+def triangle_matrix(made, k, closed, **options):
     """What two sqrt(3) steps do to a vertex and its neighbours."""
-    first = run(made, SQRT_THREE, 2)
-    second = run(with_identity(first), SQRT_THREE, 2)
+    first = run(made, SQRT_THREE, 2, **options)
+    second = run(with_identity(first), SQRT_THREE, 2, **options)
     rings = []
     for level in (first, second):
         faces = ring_of([[int(v) for v in face] for face in faces_of(level)], k)

@@ -296,8 +296,8 @@ class Saved(InFolder):
             with self.subTest(text), self.assertRaisesRegex(error, text):
                 made.save(name)
         with unittest.mock.patch.dict(sys.modules, meshio=None):
-            with self.assertRaisesRegex(ValueError, "'made.msh' ends with none of .vtu, .*meshio, .* is not installed"):
-                made.save("made.msh")
+            with self.assertRaisesRegex(ValueError, "'made.mesh' ends with none of .vtu, .*meshio, .* is not installed"):
+                made.save("made.mesh")
             pathlib.Path("made.msh").write_text("")
             with self.assertRaisesRegex(ValueError, "'made.msh' ends with none of .vtu, .*not installed"):
                 subdivisionobjects.subdivide("made.msh")
@@ -355,6 +355,34 @@ class Types(unittest.TestCase):
                     named = [each.arg for each in node.args.args + node.args.kwonlyargs]
                     self.assertEqual(sorted(named + rest), sorted(one.names()), name)
 
+    def test_they_are_known(self):
+        """Any is what arrays have, and what is passed on."""
+        folder = pathlib.Path(functions.__file__).parent
+        for path in (*sorted(folder.glob("*.py")), folder / "functions.pyi"):
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            passed = {id(one.annotation) for node in ast.walk(tree) if isinstance(node, ast.arguments)
+                      for one in (node.vararg, node.kwarg) if one}
+            arrays = {id(inner) for node in ast.walk(tree)
+                      if isinstance(node, ast.Subscript) and ast.unparse(node.value) in ("np.ndarray", "NDArray")
+                      for inner in ast.walk(node)}
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Name) and node.id == "Any" and id(node) not in passed | arrays:
+                    self.fail(f"{path.name}, line {node.lineno}: a type that is not known")
+
+    def test_types_of_arguments_are_those_that_are_taken(self):
+        """The members of each union in kinds.py."""
+        solid, ids, lines = meshes.to_vtk(POINTS, TETS), {"points": [0, 1]}, (POINTS, [[0, 1]])
+        made = subdivisionobjects.subdivide(POINTS, TETS, levels=0)
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, "mesh.vtu")
+            made.save(name)
+            for mesh in (solid, [solid], made, (POINTS, TETS), (POINTS, {"tetra": TETS}), (POINTS, [("tetra", TETS)]), name):
+                self.assertTrue(subdivisionobjects.subdivide(mesh))
+        for option, values in {"mark_selection": [ids, meshes.to_selection(ids)], "crease_geometry": [lines, meshes.to_vtk(*lines)],
+                               "creases": [[[0, 1]], ([[0, 1]], 1.5), {(0, 1): 1.5}]}.items():
+            for value in values:
+                self.assertEqual(len(subdivisionobjects.subdivide(POINTS, TETS, **{option: value}).cells), 16)
+
     def test_they_return_what_comes_out(self):
         cube, image = meshes.to_vtk(CUBE, QUADS, of_surfaces=True), meshes.to_image(np.ones((2, 2, 2), int))
         more = {"limit_probe": {"places": CUBE}, "deformation": {"rest_mesh": cube, "deformed_mesh": cube}}
@@ -370,4 +398,5 @@ class Types(unittest.TestCase):
                     made = getattr(functions, node.name)(*given, **more.get(node.name, {}))
                 self.assertEqual(type(made).__name__, found.get(node.returns.id, node.returns.id), node.name)
                 found[node.name] = True
-        self.assertEqual(set(found) - {"_Data"}, set(FILTERS))
+        self.assertEqual(set(found) - {"_Data"}, set(FILTERS) - {"measures"})
+        self.assertIsInstance(functions.measures(cube), dict)

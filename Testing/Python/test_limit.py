@@ -52,10 +52,12 @@ class Limit(unittest.TestCase):
                 self.assertGreater(self.lengths(seen.GetOutput()).min(), 0.)
 
     def test_normals_of_a_surface_are_made_on_request(self):
-        for wanted in (False, True):
-            surface = simple.SurfaceSubdivision(Input=simple.Sphere(), GenerateLimitNormals=wanted)
+        for shades, wanted in ((0, False), (0, True), (1, False)):
+            surface = simple.SurfaceSubdivision(
+                Input=simple.Sphere(), GenerateLimitNormals=wanted, SmoothShading=shades)
             surface.UpdatePipeline()
-            self.assertEqual(bool(tools.output(surface).GetPointData().HasArray("LimitNormals")), wanted)
+            self.assertEqual(bool(tools.output(surface).GetPointData().HasArray("LimitNormals")),
+                             bool(wanted or shades))
 
     @staticmethod
     def lengths(data):

@@ -95,8 +95,13 @@ class Package(unittest.TestCase):
                 self.assertEqual(proxy.GetVTKClassName(), name)
                 names = {key for key, _ in properties(proxy)}
                 without = {"EmbeddedCells"} if "Surface" in name else set()
+                if name in ("vtkSubdivisionMeasures", "vtkSubdivisionSampler"):  # no mesh that these could change
+                    without |= {"NumberOfLevels", "ProjectToLimit", "GenerateLimitNormals", "SmoothShading", "GenerateTangents",
+                                "GenerateErrorBounds", "GenerateClassification", "OutputCells", "CellOrder",
+                                "BezierTolerance",
+                                "CacheOperator", "Use32BitIds"}
                 if name not in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSubdivisionLimitProbe",
-                                "vtkSurfaceSubdivision"):
+                                "vtkSubdivisionMeasures", "vtkSubdivisionSampler", "vtkSurfaceSubdivision"):
                     without |= options(cls) & {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
                 self.assertEqual(options(cls) - names, without, "options without a property")
 
@@ -107,6 +112,9 @@ class Proxies(unittest.TestCase):
         "SubdivisionModelSource": ("Subdivision Model", "SubdivisionModel"),
         "SubdivisionCageSource": ("Cage", "Cage"),
         "SubdivisionLabelSolid": ("Smooth Solid from Labels", "SmoothSolidfromLabels"),
+        "SubdivisionMeasures": ("Measure Smooth Object", "MeasureSmoothObject"),
+        "SubdivisionEdit": ("Edit Selection", "EditSelection"),
+        "SubdivisionSampler": ("Sample Smooth Object", "SampleSmoothObject"),
         "ExtractDimensions": ("Extract Dimensions", "ExtractDimensions"),
     }
 
@@ -139,8 +147,18 @@ class Proxies(unittest.TestCase):
             group = proxy.GetPropertyGroup(i)
             self.assertTrue(group.GetXMLLabel())
             grouped |= {group.GetPropertyName(j) for j in range(group.GetNumberOfProperties())}
-        names = {key for key, prop in properties(proxy) if not is_of_scripts(key, prop)} - {"Input"}
+        names = {key for key, prop in properties(proxy) if not is_of_scripts(key, prop)} - {"Input", "NextApply"}
         self.assertEqual(names - grouped, set())
+
+    def test_sharp_features_are_in_one_group(self):
+        """Options of corners, creases and singular surfaces, where a filter has them."""
+        sharp = {"CornerAngleArray", "CreaseGeometry", "FlatnessArray", "LevelsArray", "MarkSurfaces"}
+        for name in ("MultiDimensionalSubdivision", "SurfaceSubdivision", "RedGreenRefinement", "AdaptiveSurfaceSubdivision"):
+            proxy = definition(name)
+            groups = [proxy.GetPropertyGroup(i) for i in range(proxy.GetNumberOfPropertyGroups())]
+            (group,) = [group for group in groups if group.GetXMLLabel() == "Sharp features"]
+            named = {group.GetPropertyName(k) for k in range(group.GetNumberOfProperties())}
+            self.assertEqual(sharp & {key for key, _ in properties(proxy)}, sharp & named, name)
 
     def test_groups_after_the_first_are_collapsible(self):
         """What a filter is for stays in sight; the names of the other groups are keys of ParaView's settings."""
@@ -171,7 +189,7 @@ class Proxies(unittest.TestCase):
             text = (PLUGIN / f"{name}.xml").read_text(encoding="utf-8").replace("@INTERPOLATION@", shared)
             text = text.replace("@REFINEMENT@", criteria)
             elements = [element for element in next(ElementTree.fromstring(text).iter("SourceProxy"))
-                        if element.get("command") or element.get("name") == "Preset"]
+                        if element.get("command") or element.get("name") in ("Preset", "NextApply")]
             own = {element.get("name") for element in elements if not element.get("override")} - {"Input"}
             iterator = servermanager.vtkSMOrderedPropertyIterator()
             iterator.SetProxy(definition(name))
@@ -213,6 +231,22 @@ class Proxies(unittest.TestCase):
                     self.assertEqual(len(numbers), len(setters), f"{name}.{key}")
                     named.add(key)
         self.assertLessEqual({"Model", "Scheme", "VolumeScheme", "Placement", "OutsidePoints", "Type1Rule"}, named)
+
+    def test_orders_of_cells_are_a_list(self):
+        for proxy in (simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel()),
+                      simple.SurfaceSubdivision(Input=simple.Sphere())):
+            self.assertEqual(list(proxy.GetProperty("CellOrder").Available), ["1", "2", "3", "4", "5", "6"])
+            for order in (4, "1", "3", "2"):
+                proxy.CellOrder = order
+                self.assertEqual(proxy.CellOrder, str(order))
+                proxy.UpdateVTKObjects()
+                self.assertIn(f"CellOrder: {order}", str(proxy.GetClientSideObject()))
+
+    def test_displays_of_curved_cells_are_curved(self):
+        view = simple.CreateRenderView()
+        for cells, level in (("Linear", 1), ("Quadratic", 3), ("Bezier", 3)):
+            made = simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel(), OutputCells=cells)
+            self.assertEqual(simple.Show(made, view).NonlinearSubdivisionLevel, level, cells)
 
     def test_defaults_are_those_of_the_classes(self):
         proxy = simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel())
@@ -294,6 +328,14 @@ class Proxies(unittest.TestCase):
             proxy.UpdatePipeline()
             self.assertIn("Interpolated arrays: Heat", str(proxy.GetClientSideObject()))
 
+    def test_local_refinement_shows_its_edges(self):
+        model = simple.SubdivisionModel()
+        for create, shown in ((simple.RedGreenRefinement, "Surface With Edges"),
+                              (simple.AdaptiveSurfaceSubdivision, "Surface With Edges"),
+                              (simple.MultidimensionalSubdivision, "Surface")):
+            view = simple.CreateRenderView()
+            self.assertEqual(simple.Show(create(Input=model), view).Representation, shown)
+
     def test_panels_have_few_options(self):
         """Without the gear, and more with it. Others are options of scripts, which panels show once they are set. The
         criteria of refinement are one list; of their options those count that are always there."""
@@ -308,7 +350,7 @@ class Proxies(unittest.TestCase):
             counts = {"default": 1 if one else 0, "advanced": 0, "scripts": 0}
             for key, prop in properties(proxy):
                 decorators = {hint.GetAttribute("property") for hint in nested(prop.GetHints(), "PropertyWidgetDecorator")}
-                if key == "Input" or key in one or decorators & one:
+                if key in {"Input", "NextApply"} | one or decorators & one:
                     continue
                 shown = "advanced" if key in advanced else prop.GetPanelVisibility()
                 counts["scripts" if is_of_scripts(key, prop) else shown] += 1

@@ -33,7 +33,7 @@ blocks = [("README.md", block) for block in readme.blocks("python", before="## I
 assert len(blocks) == 1, len(blocks)
 for page in readme.GUIDE[:-1]:
     blocks += [(page.name, block) for block in readme.blocks("python", path=page)]
-assert len(blocks) == 15, [name for name, _ in blocks]
+assert len(blocks) == 19, [name for name, _ in blocks]
 for name, block in blocks:  # here and not in a function, as in a script
     exec(compile(block, name, "exec"))
 for name in ("volume.png", "figure.png"):

@@ -59,8 +59,9 @@ def touches_sharp(faces, finer):
             found, cell, part, distance = [0.0] * 3, reference(0), reference(0), reference(0.0)
             is_sharp[i] = locator.FindClosestPointWithinRadius(
                 faces.GetPoint(i), finer.GetLength() * NEAR, found, vtkGenericCell(), cell, part, distance)
-    corners = vtk_to_numpy(faces.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-    return is_sharp[corners].any(axis=1)
+    polygons = faces.GetPolys()
+    corners = is_sharp[vtk_to_numpy(polygons.GetConnectivityArray())].astype(int)
+    return np.add.reduceat(corners, vtk_to_numpy(polygons.GetOffsetsArray())[:-1]) > 0
 
 
 class Picture:

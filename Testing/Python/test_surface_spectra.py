@@ -32,17 +32,26 @@ class FourEight(unittest.TestCase):
                 self.assertAlmostEqual(values[1], values[2], 10)
 
     def test_boundary(self):
-        for k in range(2, 9):
+        for k in range(2, 13):
             with self.subTest(k):
-                values = spectrum(quad_matrix(quad_star(k, np.pi, False), k, False)[1])
-                self.assertEqual(is_smooth(values, 1 / 2), k < 4)  # Mathematics 12: for two and three faces only
+                made = quad_star(k, np.pi, False)
+                plain = spectrum(quad_matrix(made, k, False, ModifiedBoundary=False)[1])
+                self.assertEqual(is_smooth(plain, 1 / 2), k < 4)  # Mathematics 12: for two and three faces only
+                values = spectrum(quad_matrix(made, k, False)[1])
+                self.assertTrue(is_smooth(values, 1 / 2))
+                np.testing.assert_allclose(values[1:3], 1 / 2, atol=1e-9)
 
     def test_corners(self):
-        for k in range(1, 9):
-            with self.subTest(k):
-                made = quad_star(k, min(k, 3) * np.pi / 4, False)
-                values = spectrum(quad_matrix(made if k == 1 else flag_corner(made), k, False)[1])
-                self.assertEqual(is_smooth(values, 1 / 2), k == 1)  # there are no rules for corners
+        for angle, first in ((30, 1), (90, 1), (150, 1), (210, 2), (330, 2)):
+            for k in range(first, 13):
+                with self.subTest(k=k, angle=angle):
+                    made = quad_star(k, np.radians(angle), False)
+                    made = made if k == 1 else flag_corner(made)
+                    values = spectrum(quad_matrix(made, k, False)[1])
+                    np.testing.assert_allclose(values[1:3], 1 / 2, atol=1e-9)
+                    self.assertTrue(is_smooth(values, 1 / 2))
+                    plain = spectrum(quad_matrix(made, k, False, ModifiedBoundary=False)[1])
+                    self.assertEqual(is_smooth(plain, 1 / 2), k == 1)
 
 
 class SqrtThree(unittest.TestCase):
@@ -55,21 +64,35 @@ class SqrtThree(unittest.TestCase):
                 np.testing.assert_allclose(values, sorted([1, mean] + waves, reverse=True), atol=1e-7)
                 self.assertTrue(is_smooth(values))
 
+    def waves(self, k):
+        return [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
+
     def test_boundary(self):
-        for k in range(2, 9):
+        for k in range(2, 13):
             with self.subTest(k):
-                values = spectrum(triangle_matrix(fan(k, np.pi), k, False))
-                waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
-                np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 9] + waves, reverse=True), atol=1e-7)
-                self.assertEqual(is_smooth(values, 1 / 3), k < 6)  # Mathematics 11: for up to five triangles
+                made = fan(k, np.pi)
+                plain = spectrum(triangle_matrix(made, k, False, ModifiedBoundary=False))
+                np.testing.assert_allclose(plain, sorted([1, 1 / 3, 1 / 9] + self.waves(k), reverse=True), atol=1e-7)
+                self.assertEqual(is_smooth(plain, 1 / 3), k < 6)  # Mathematics 11: for up to five triangles
+                values = spectrum(triangle_matrix(made, k, False))
+                waves = np.array(self.waves(k)) / self.waves(k)[0] / 3
+                np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 9, *waves], reverse=True), atol=1e-7)
+                self.assertTrue(is_smooth(values, 1 / 3))
 
     def test_corners(self):
-        for k in range(1, 9):
-            with self.subTest(k):
-                values = spectrum(triangle_matrix(flag_corner(fan(k, min(k, 3) * np.pi / 4)), k, False))
-                waves = [(2 + 2 * np.cos(np.pi * m / k)) / 9 for m in range(1, k)]
-                np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 3] + waves, reverse=True), atol=1e-7)
-                self.assertEqual(is_smooth(values, 1 / 3), k < 3)  # there are no rules for corners
+        for angle, first in ((30, 1), (90, 1), (150, 1), (210, 2), (330, 2)):
+            for k in range(first, 13):
+                with self.subTest(k=k, angle=angle):
+                    made = flag_corner(fan(k, np.radians(angle)))
+                    plain = spectrum(triangle_matrix(made, k, False, ModifiedBoundary=False))
+                    np.testing.assert_allclose(plain, sorted([1, 1 / 3, 1 / 3] + self.waves(k), reverse=True), atol=1e-7)
+                    self.assertEqual(is_smooth(plain, 1 / 3), k < 3)
+                    values = spectrum(triangle_matrix(made, k, False))
+                    waves = np.array(self.waves(k)) / (2 + 2 * np.cos(np.radians(angle) / k)) * 3
+                    if angle > 180 and k > 1:  # flatness
+                        waves *= 1 / 9 / waves[0] if angle < 120 * k else 0
+                    np.testing.assert_allclose(values, sorted([1, 1 / 3, 1 / 3, *waves], reverse=True), atol=1e-7)
+                    self.assertTrue(is_smooth(values, 1 / 3))
 
 
 def measure_bend(made):

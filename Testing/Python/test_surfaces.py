@@ -237,6 +237,7 @@ class Meshes(unittest.TestCase):
                 main = vtkMultiDimensionalSubdivision()
                 main.SetInputData(surface)
                 main.SetNumberOfLevels(3)
+                main.SetVolumeSchemeToBoxSpline()  # which cuts quads, as Loop does
                 main.ModifiedBoundaryOff()
                 main.Update()
                 out = run(surface, LOOP, 3, ModifiedBoundary=False)

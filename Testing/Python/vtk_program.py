@@ -1,32 +1,46 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The program `subdivide` as users run it, and whether it has every option of the classes."""
 
+import csv
+import json
 import os
 import pathlib
 import pty
+import re
 import resource
 import shutil
 import signal
 import subprocess
 import unittest
 
+import numpy as np
 from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
-from vtkmodules.vtkIOXML import vtkXMLImageDataWriter, vtkXMLTableWriter, vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataWriter, vtkXMLTableWriter, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
 
 import subdivisionobjects
 from headers import CLASSES, of_bases
+from subdivisionobjects import meshes
 from subdivisionobjects.run import FILTERS
 
 PROGRAM = os.environ.get("SUBDIVISIONOBJECTS_PROGRAM", "")
 DATA = pathlib.Path(os.environ["SUBDIVISIONOBJECTS_DATA"])
 SHIP = str(DATA / "Ship.vtu")
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+# Names of options that are names of arrays and fields, too.
+ARRAYS = {"MaterialId"}
+# What the panels do not show either, of filters whose output is no mesh first.
+NO_MESH = {"NumberOfLevels", "ProjectToLimit", "GenerateLimitNormals", "SmoothShading", "GenerateTangents",
+           "GenerateErrorBounds", "GenerateClassification", "OutputCells", "CellOrder", "BezierTolerance", "CacheOperator",
+           "Use32BitIds", "OutputPointsPrecision", "GenerateOriginalIds", "GenerateGlobalIds"}
 # What the panels do not show either.
 HIDDEN = {"vtkSurfaceSubdivision": {"EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights", "ModifiedBoundary"},
           "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights", "ModifiedBoundary"},
           "vtkSubdivisionLimitProbe": {"InterfaceValues"}, "vtkSubdivisionSmoothness": {"InterfaceValues"},
+          "vtkSubdivisionMeasures": NO_MESH, "vtkSubdivisionSampler": NO_MESH,
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}
 UNSMOOTHED = {"InterpolatePoints", "InterpolateArrays", "InterpolationWeight"}
@@ -78,11 +92,14 @@ def plain(name):
     return name.replace("-", "").lower()
 
 
+def letters(text):
+    return re.sub(r"[\W_]", "", text).lower()
+
+
 @unittest.skipUnless(PROGRAM, "skipped: there is no program")
 class Program(unittest.TestCase):
     def test_every_option_of_the_classes(self):
-        filters = {line.strip() for line in run("--help").stdout.splitlines()
-                   if line.startswith("  ") and len(line.split()) == 1 and not line.startswith("   ")}
+        filters = {found[1] for found in re.finditer(r"^  ([a-z][a-z-]+)(?:   \(.*\))?$", run("--help").stdout, re.MULTILINE)}
         found = {}
         for one in filters:
             listed = run("--filter", one, "--help").stdout
@@ -100,6 +117,49 @@ class Program(unittest.TestCase):
             if cls.__name__ in ("vtkMultiDimensionalSubdivision", "vtkRedGreenRefinement", "vtkSurfaceSubdivision"):
                 self.assertFalse(missing & UNSMOOTHED)
 
+    def test_labels_of_panels_stand_in_helps_and_are_taken(self):
+        """Whatever the panel and the menu call an option and a filter, the program and Python have it, too."""
+        labels = {}
+        for path in sorted((SOURCE / "Plugin").glob("*.xml*")):
+            for tag in re.findall(r"<\w+Property\s([^>]*)>", path.read_text(encoding="utf-8")):
+                found = dict(re.findall(r'(\w+)="([^"]*)"', tag))
+                if "command" in found:
+                    name = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", found["name"]).lower()
+                    labels.setdefault(name, set()).add(found.get("label") or found["name"])
+        self.assertIn("Smooth Up To Borders", labels["modified_boundary"])
+        for one in FILTERS.values():
+            done = run("--filter", one.label, "--help")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(one.label.split()[0].lower(), run("--help").stdout.lower())
+            listed = repr(subdivisionobjects.options(one.label))
+            self.assertTrue(listed.startswith(f"{one.name} ({one.label}): "))
+            heads = {letters(line.split()[0].rstrip(",")): letters(line) for line in done.stdout.splitlines()
+                     if line.startswith("  --")}
+            rows = [letters(line) for line in listed.splitlines() if " = " in line]
+            for name in one.options:
+                with self.subTest(f"{one.name}: {name}"):
+                    own = [label for label in labels[name] if letters(label) in heads[letters(name)]]
+                    self.assertTrue(own)
+                    self.assertTrue(any(letters(own[0]) in row and letters(name) in row for row in rows))
+                    one.check({re.sub(r"\W+", "_", re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", own[0])).lower(): 1})
+                    for label in labels[name]:  # names of classes are for classes
+                        known = re.search("[a-z0-9][A-Z]", label) and label not in ARRAYS
+                        self.assertNotRegex(done.stdout + listed, rf"\b{label}\b" if known else "(?!)")
+
+    def test_entries_are_taken_in_all_spellings(self):
+        """As panels write them, without spaces, and by former names."""
+        count = 0
+        for one in FILTERS.values():
+            for name, option in one.options.items():
+                for text, value in (*option.entries.items(), *option.spellings.items()):
+                    for spelling in (text, text.replace(" ", ""), text.lower().replace(" ", "-"), text.replace("-", "")):
+                        self.assertEqual(option.entry(name, spelling), value, f"{one.name}: {name}")
+                        count += 1
+        self.assertGreater(count, 500)
+        self.assertEqual(run(SHIP, "a.vtu", "--scheme", "tetoct", "--no-smooth-up-to-borders").returncode, 0)
+        self.assertEqual(run(SHIP, "b.vtu", "--VolumeScheme", "Even", "--no-modified-boundary").returncode, 0)
+        self.assertEqual(pathlib.Path("a.vtu").read_bytes(), pathlib.Path("b.vtu").read_bytes())
+
     def test_functions_of_python_have_the_same_options(self):
         for name, one in FILTERS.items():
             filter_name = {"subdivide": "multi"}.get(name, name.replace("_", "-"))
@@ -107,6 +167,48 @@ class Program(unittest.TestCase):
             found = {plain(line.split()[0].rstrip(",")) for line in listed.splitlines() if line.startswith("  --")}
             common = found & {plain(f"--{option}") for option in ("filter", "refine", "info", "quiet", "help", "version")}
             self.assertEqual(found - common, {name.replace("_", "") for name in one.options}, name)
+
+    def test_tables(self):
+        expected = subdivisionobjects.measures(SHIP, maximum_level=2)
+        done = run("measure", SHIP, "--maximum-level", 2)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        shown = [float(line.split()[1]) for line in done.stdout.splitlines() if line.startswith("Measure ")]
+        self.assertEqual(shown, expected["Measure"].tolist())
+        self.assertEqual(run("measure", SHIP, "ship.json", "--maximum-level", 2).returncode, 0)
+        with open("ship.json", encoding="utf-8") as file:
+            found = json.load(file)
+        self.assertEqual(found["MeasuredLevels"], 2)
+        self.assertEqual([row["Centroid"] for row in found["rows"]], expected["Centroid"].tolist())
+        self.assertEqual(run("measure", SHIP, "ship.csv", "--maximum-level", 2).returncode, 0)
+        with open("ship.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([float(row["Centroid:Y"]) for row in rows], expected["Centroid"][:, 1].tolist())
+        for wrong in (["ship.vtu"], ["--info"]):
+            done = run("measure", SHIP, *wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("table", done.stderr)
+
+    def test_images(self):
+        write(vtkXMLUnstructuredGridWriter(), subdivisionobjects.model(model="MechanicalPart"), "part.vtu")
+        done = run("sample", "part.vtu", "part.vti", "--spacing", 0.1, "--generate-coverage")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        expected = subdivisionobjects.sample("part.vtu", spacing=0.1, generate_coverage=True)
+        found = meshes.to_samples(meshes.to_vtk("part.vti"))
+        self.assertEqual((found.origin, found.spacing), (expected.origin, expected.spacing))
+        self.assertEqual(list(found), list(expected))
+        for name, values in expected.items():
+            np.testing.assert_array_equal(found[name], values)
+        self.assertGreater(found["vtkValidPointMask"].sum(), 1000)
+        self.assertEqual(run("sample", "part.vtu", "same.vti", "--grid", "part.vti").returncode, 0)
+        np.testing.assert_array_equal(meshes.to_samples(meshes.to_vtk("same.vti"))["Material"], expected["Material"])
+        for code, text, arguments in (
+                (1, "--maximum-number-of-samples, 1000", ("x.vti", "--spacing", 0.01, "--maximum-number-of-samples", 1000)),
+                (1, "Spacing is not usable", ("x.vti", "--spacing", -1)),
+                (2, "cannot write", ("x.csv",))):
+            done = run("sample", "part.vtu", *arguments)
+            self.assertEqual(done.returncode, code)
+            self.assertIn(text, done.stderr)
+            self.assertFalse(os.path.exists("x.vti"))
 
     def test_it_does_what_the_class_does(self):
         done = run(SHIP, "smooth.vtu", "--levels", 2, "--scheme", "tetoct")

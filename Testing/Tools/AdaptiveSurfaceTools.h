@@ -19,7 +19,7 @@ class Adaptive
 {
 public:
   explicit Adaptive(const Model& model)
-    : Control(model, SurfaceSchemeKind::SqrtThree)
+    : Control(model, SurfaceSchemeKind::SqrtThree, false)
     , Mesh(Control.Level)
   {
   }

@@ -9,6 +9,7 @@ namespace bezier_tools
 Grid MakeBezier(vtkDataObject* input, int levels, const Configure& configure)
 {
   vtkNew<Filter> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetNumberOfLevels(levels);
   filter->SetOutputCellsToBezier();
   if (configure)

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoundTools.h"
 
-#include "Private/Bezier/BezierRoots.h"
+#include "Private/Bezier/BezierPatches.h"
 
 namespace bound_tools
 {
 namespace
 {
 
-using subdivision::BezierRoots;
-using subdivision::LatticePoint;
+using subdivision::FrameNode;
 using subdivision::PatchShape;
 using subdivision::Root;
+using subdivision::SplitRoots;
 
 /// The weights of the corners at a point of the lattice.
-std::array<double, 4> WeighCorners(const PatchShape& shape, const LatticePoint& point, int all)
+std::array<double, 4> WeighCorners(const PatchShape& shape, const FrameNode& point, int all)
 {
   const double x = static_cast<double>(point[0]) / all;
   const double y = static_cast<double>(point[1]) / all;
@@ -38,7 +38,7 @@ void ForLattice(const PatchShape& shape, int steps, const Act& act)
       {
         if (isQuad || i + j + k <= all)
         {
-          act(LatticePoint{ { i, j, k } }, WeighCorners(shape, { { i, j, k } }, all));
+          act(FrameNode{ { i, j, k } }, WeighCorners(shape, { { i, j, k } }, all));
         }
       }
     }
@@ -47,7 +47,7 @@ void ForLattice(const PatchShape& shape, int steps, const Act& act)
 
 /// The largest distance of each cell.
 std::vector<double> FindDistances(vtkPointSet* mesh, vtkDataArray* coarse, vtkDataArray* fine,
-  const BezierRoots* roots, int steps, const PlacedPoints* placed, vtkIdType& samples)
+  const SplitRoots* roots, int steps, const PlacedPoints* placed, vtkIdType& samples)
 {
   const int components = coarse->GetNumberOfComponents();
   std::vector<double> distances;
@@ -79,22 +79,21 @@ std::vector<double> FindDistances(vtkPointSet* mesh, vtkDataArray* coarse, vtkDa
         add(point.Point, point.Weights, corners);
       }
     }
-    else if (roots->GetRoot(r).Kind < 0)
+    else if (roots->GetRoot(r).Shape == subdivision::CellShape::Vertex)
     {
-      Ids ids;
-      roots->GetPoints(roots->GetRoot(r), ids);
-      add(ids[0], { { 1., 0., 0., 0. } }, { ids[0] });
+      const vtkIdType id = roots->GetPoints(roots->GetRoot(r)).Ids[0];
+      add(id, { { 1., 0., 0., 0. } }, { id });
     }
     else
     {
       const Root& root = roots->GetRoot(r);
-      const PatchShape& shape = BezierRoots::GetShape(root);
+      const PatchShape& shape = subdivision::GetPatchShape(root);
       Ids corners;
-      for (const LatticePoint& corner : shape.CornerPoints)
+      for (const FrameNode& corner : shape.CornerPoints)
       {
-        corners.push_back(roots->GetPoint(root, roots->GetWhole(root).At(corner, 2)));
+        corners.push_back(roots->GetPoint(root, subdivision::GetWhole(root).At(corner, 2)));
       }
-      ForLattice(shape, steps, [&](const LatticePoint& point, const std::array<double, 4>& weights)
+      ForLattice(shape, steps, [&](const FrameNode& point, const std::array<double, 4>& weights)
         { add(roots->GetPoint(root, point), weights, corners); });
     }
     distances.push_back(most);
@@ -143,10 +142,10 @@ double Tightness::GetLargest() const
 void ExpectBounds(vtkPointSet* coarse, vtkPointSet* fine, int steps, Tightness& tightness,
   double rounding, const PlacedPoints* placed)
 {
-  std::unique_ptr<BezierRoots> roots; // of cells that are not placed
+  std::unique_ptr<SplitRoots> roots; // of cells that are not placed
   if (!placed || static_cast<vtkIdType>(placed->size()) < coarse->GetNumberOfCells())
   {
-    roots = std::make_unique<BezierRoots>(fine, steps);
+    roots = std::make_unique<SplitRoots>(fine, steps);
     ASSERT_EQ(roots->GetNumberOfRoots(), coarse->GetNumberOfCells());
   }
   std::map<std::string, vtkDataArray*> arrays{ { "", coarse->GetPoints()->GetData() } };

@@ -7,6 +7,7 @@ namespace feature_tools
 Grid Execute(vtkDataObject* input, int levels, const Configure& configure, Messages* messages)
 {
   vtkNew<Filter> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetNumberOfLevels(levels);
   if (configure)
   {
@@ -226,6 +227,7 @@ Grid MakeKuhnBox(int n, double noise, unsigned seed)
 Grid MakeSwappedLevel(int volumeScheme)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetInputData(MakeKuhnBox(2));
   filter->SetNumberOfLevels(3);
   filter->SetVolumeScheme(volumeScheme);

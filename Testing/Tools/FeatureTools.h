@@ -19,7 +19,8 @@ using Configure = std::function<void(Filter*)>;
 /// A row of the matrix, without zeros.
 using MatrixRow = std::map<vtkIdType, double>;
 
-/// Runs the filter; without `messages` it may not say anything.
+/// Runs the filter, which cuts all cells unless `configure` says otherwise; without `messages` it
+/// may not say anything.
 Grid Execute(
   vtkDataObject* input, int levels, const Configure& configure = {}, Messages* messages = nullptr);
 

@@ -37,6 +37,16 @@ struct TetOct
   }
 };
 
+/// Cells keep their types.
+struct Hybrid
+{
+  void operator()(vtkSubdivisionLimitProbe* filter) const { filter->SetSchemeToHybrid(); }
+  void operator()(vtkMultiDimensionalSubdivision* filter) const
+  {
+    filter->SetVolumeSchemeToHybrid();
+  }
+};
+
 /// Runs the filter and copies its output, which has to fit together. `configure` sets up the filter
 /// and the one whose limit it looks for.
 template <typename Configure>
@@ -44,12 +54,14 @@ vtkSmartPointer<vtkPolyData> Probe(
   vtkUnstructuredGrid* mesh, const std::vector<Point>& targets, const Configure& configure)
 {
   vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetSchemeToBoxSpline();
   configure(filter.Get());
   filter->SetInputDataObject(3, place_tools::MakeTargets(targets));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), mesh);
   EXPECT_EQ(found->GetNumberOfPoints(), static_cast<vtkIdType>(targets.size()));
   EXPECT_EQ(found->GetNumberOfVerts(), found->GetNumberOfPoints());
   vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  evaluator->SetVolumeSchemeToBoxSpline();
   configure(evaluator.Get());
   evaluator->SetInputData(mesh);
   vtkNew<vtkPolyData> again;
@@ -92,6 +104,7 @@ int ExpectNoVertexIsNearer(const Grid& mesh, const std::vector<Point>& targets, 
   int count = 0;
   const auto found = Probe(mesh, targets, configure);
   vtkNew<vtkMultiDimensionalSubdivision> fine;
+  fine->SetVolumeSchemeToBoxSpline();
   configure(fine.Get());
   fine->SetNumberOfLevels(levels);
   fine->ProjectToLimitOn();
@@ -116,6 +129,7 @@ void ExpectOwnPlaces(
   const Grid& mesh, const place_tools::Places& places, double tolerance, const Configure& configure)
 {
   vtkNew<vtkMultiDimensionalSubdivision> evaluator;
+  evaluator->SetVolumeSchemeToBoxSpline();
   configure(evaluator.Get());
   evaluator->SetInputData(mesh);
   const auto at = place_tools::Evaluate(evaluator, places);

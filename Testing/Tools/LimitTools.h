@@ -151,10 +151,12 @@ double GetWeight(const SparseRows<Id>& rows, vtkIdType row, vtkIdType column)
   return sum;
 }
 
-/// The rows of a LocalLimit over the control vertices, each with one entry for each of these.
-template <typename Id>
-SparseRows<Id> BuildRows(const LocalLimit<Id>& limit)
+/// The rows of a LocalLimit, or of LimitByLevels, over the control vertices, each with one entry
+/// for each of these.
+template <typename Limit>
+auto BuildRows(const Limit& limit)
 {
+  using Id = std::decay_t<decltype(limit.GetVertices(0)[0])>;
   std::vector<SparseRows<Id>> parts;
   SparseRows<Id> product;
   const SparseRows<Id>* before = nullptr; // the rows of the level before over control values
@@ -199,9 +201,9 @@ SparseRows<Id> BuildRows(const LocalLimit<Id>& limit)
   return rows;
 }
 
-/// The number of values that a LocalLimit computes on all levels, as a measure of its work.
-template <typename Id>
-vtkIdType CountSupportValues(const LocalLimit<Id>& limit)
+/// The number of values that it computes on all levels, as a measure of its work.
+template <typename Limit>
+vtkIdType CountSupportValues(const Limit& limit)
 {
   vtkIdType values = 0;
   for (int level = 0; level < limit.GetNumberOfLevels(); ++level)

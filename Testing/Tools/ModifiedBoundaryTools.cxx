@@ -18,6 +18,7 @@ void SetAngles(vtkSubdivisionAlgorithm* filter)
 Grid Execute(vtkPointSet* input, int levels, const Configure& configure)
 {
   vtkNew<Filter> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetNumberOfLevels(levels);
   SetAngles(filter.Get());
   if (configure)

@@ -135,6 +135,7 @@ void SetGlobalIds(vtkPointSet* mesh, const Ids& ids)
 Grid Subdivide(vtkDataObject* input, const Options& options, Messages* messages)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   Set(filter, options);
   // Points of random meshes may lie in edges of others; TestHangingNodes.cxx has the rules.
   UpdateInSilence(filter, input, messages, { "lies inside an edge", "lie inside an edge" });

@@ -122,7 +122,7 @@ inline Point GetTuple(vtkDataSet* mesh, const char* name, vtkIdType i)
 
 void SetGlobalIds(vtkPointSet* mesh, const Ids& ids);
 
-/// Runs the filter. Without `messages` it may not say anything.
+/// Runs the filter, which cuts all cells. Without `messages` it may not say anything.
 Grid Subdivide(vtkDataObject* input, const Options& options, Messages* messages = nullptr);
 
 inline Grid Subdivide(vtkDataObject* input, int levels)

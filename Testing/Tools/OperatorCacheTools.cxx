@@ -10,6 +10,7 @@ Kept::Kept(const Configure& configure)
 {
   this->Heard->Watch(this->Cached);
   this->Cached->SetNumberOfLevels(2);
+  this->Cached->SetVolumeSchemeToBoxSpline();
   if (configure)
   {
     configure(this->Cached);

@@ -141,8 +141,8 @@ SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Pol
   return level;
 }
 
-Walk::Walk(const Model& model, SurfaceSchemeKind kind)
-  : Scheme(MakeSurfaceScheme<int>(kind, true))
+Walk::Walk(const Model& model, SurfaceSchemeKind kind, bool modifiedBoundary)
+  : Scheme(MakeSurfaceScheme<int>(kind, modifiedBoundary))
   , Points(model.Points)
   , Level(MakeLevel(model.Points.size(), model.Faces, model.Lines))
 {
@@ -151,6 +151,13 @@ Walk::Walk(const Model& model, SurfaceSchemeKind kind)
   for (vtkIdType corner : model.Corners)
   {
     features.Corners[corner] = 1;
+  }
+  const bool isTurned = !this->Scheme->HalvesEdges() && !this->Scheme->IsDual();
+  features.SharpEdges.assign(static_cast<std::size_t>(this->Level.Mesh.GetNumberOfEdges()), 0);
+  for (const int line : this->Level.Lines)
+  {
+    features.SharpEdges[static_cast<std::size_t>(line / 2)] =
+      isTurned ? 1 : 0; // as the filter does
   }
   this->Level.Tags =
     ClassifySurface(this->Level.Mesh, *this->Scheme, features, this->Points.data()->data());

@@ -55,7 +55,7 @@ SurfaceLevel<int> MakeLevel(std::size_t points, const Polygons& faces, const Pol
 class Walk
 {
 public:
-  Walk(const Model& model, SurfaceSchemeKind kind);
+  Walk(const Model& model, SurfaceSchemeKind kind, bool modifiedBoundary = true);
 
   RowBlock<int> GetRows() const;
   static std::vector<Point> Apply(const RowBlock<int>& rows, const std::vector<Point>& in);
@@ -100,6 +100,13 @@ inline vtkSmartPointer<vtkPolyData> MakeInput(
 
 vtkSmartPointer<vtkPolyData> RunFilter(vtkPolyData* input, int scheme, int levels,
   bool limit = false, const std::function<void(vtkSurfaceSubdivision*)>& configure = nullptr);
+
+/// The uniform mesh, at the limit, of which an adaptive one is a part: both have plain boundaries.
+inline vtkSmartPointer<vtkPolyData> RunPlainSqrtThree(vtkPolyData* input, int levels)
+{
+  return RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, levels, true,
+    [](vtkSurfaceSubdivision* filter) { filter->ModifiedBoundaryOff(); });
+}
 
 /// The first limit normals, of length 1.
 std::vector<Point> GetNormals(vtkPolyData* output, std::size_t count);

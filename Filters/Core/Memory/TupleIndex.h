@@ -20,7 +20,15 @@ std::array<Id, N> SortedTuple(const Id* vertices)
 {
   std::array<Id, N> tuple;
   std::copy(vertices, vertices + N, tuple.begin());
-  std::sort(tuple.begin(), tuple.end());
+  for (int end = N - 1; end > 0; --end) // a few comparisons without branches
+  {
+    for (int k = 0; k < end; ++k)
+    {
+      const Id less = std::min(tuple[k], tuple[k + 1]);
+      tuple[k + 1] = std::max(tuple[k], tuple[k + 1]);
+      tuple[k] = less;
+    }
+  }
   return tuple;
 }
 

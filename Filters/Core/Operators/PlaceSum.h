@@ -67,6 +67,33 @@ public:
   std::vector<Weights> OfVertices;
 };
 
+/// Derivatives of constants are 0. On level k weights of first derivatives are as large as 2^k, and
+/// so are their errors from rounding. On the way back to earlier levels an error shrinks as a
+/// derivative does, but for a multiple of the value, which no step changes: this is found by the
+/// sum over all vertices, and taken away, so that derivatives on all levels are as exact as values.
+/// It is taken away on each level: where derivatives shrink faster than 2^-k, near vertices with
+/// three or four triangles, nothing of them would be left beside the sums of earlier levels.
+template <typename Weights>
+void RemoveConstants(std::vector<Weights>& all)
+{
+  Weights sums{};
+  for (const Weights& weights : all)
+  {
+    for (std::size_t p = 0; p < sums.size(); ++p)
+    {
+      sums[p] += weights[p];
+    }
+  }
+  for (Weights& weights : all)
+  {
+    const double value = weights[0] / sums[0];
+    for (std::size_t p = 1; p < sums.size(); ++p)
+    {
+      weights[p] -= sums[p] * value;
+    }
+  }
+}
+
 /// A place as weighted sums over vertices of a level, which go back from level to level. The first
 /// of `Weights` belong to a value, and their sum is 1; the others belong to derivatives, and their
 /// sum is 0.
@@ -77,8 +104,8 @@ public:
   using LevelRow = typename Lattice::LevelRow;
   using Vertex = typename LevelRow::Vertex;
 
-  /// `lattice` knows the rows and limits of the vertices of all levels (BoxSplineLattice.h,
-  /// LocalLattice.h, SurfacePlaces.cxx).
+  /// `lattice` knows the rows and limits of the vertices of all levels (SharpLattice.h,
+  /// SurfacePlaces.cxx).
   explicit PlaceSum(Lattice& lattice)
     : Vertices(lattice)
   {
@@ -97,10 +124,10 @@ public:
     this->AddRow(weights, this->Sum);
     return true;
   }
-  /// Goes back to an earlier level. False: a rule is unknown.
-  bool StepBack(int levels)
+  /// Goes back to an earlier level. False: a rule is unknown. `goesOn`: after such steps.
+  bool StepBack(int levels, bool goesOn = false)
   {
-    this->RemoveConstants();
+    goesOn ? void() : RemoveConstants(this->Sum.OfVertices);
     for (; levels > 0; --levels)
     {
       this->Before.Clear();
@@ -113,7 +140,7 @@ public:
         this->AddRow(this->Sum.OfVertices[i], this->Before);
       }
       std::swap(this->Sum, this->Before);
-      this->RemoveConstants();
+      RemoveConstants(this->Sum.OfVertices);
     }
     return true;
   }
@@ -150,32 +177,6 @@ private:
       sum.Add(this->Found.Vertices[k], this->Found.Weights[k], weights);
     }
   }
-  /// Derivatives of constants are 0. On level k weights of first derivatives are as large as 2^k,
-  /// and so are their errors from rounding. On the way back an error shrinks as a derivative does,
-  /// but for a multiple of the value, which no step changes: this is found by the sum, and taken
-  /// away, so that derivatives on all levels are as exact as values. It is taken away on each
-  /// level: where derivatives shrink faster than 2^-k, near vertices with three or four triangles,
-  /// nothing of them would be left beside the sums of earlier levels.
-  void RemoveConstants()
-  {
-    Weights sums{};
-    for (const Weights& weights : this->Sum.OfVertices)
-    {
-      for (std::size_t p = 0; p < sums.size(); ++p)
-      {
-        sums[p] += weights[p];
-      }
-    }
-    for (Weights& weights : this->Sum.OfVertices)
-    {
-      const double value = weights[0] / sums[0];
-      for (std::size_t p = 1; p < sums.size(); ++p)
-      {
-        weights[p] -= sums[p] * value;
-      }
-    }
-  }
-
   Lattice& Vertices;
   VertexSum<Vertex, Weights> Sum;
   VertexSum<Vertex, Weights> Before;

@@ -10,6 +10,7 @@
 #include "Core/Memory/Coordinates.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Operators/RowBlock.h"
+#include "Core/Operators/ShadingNormals.h"
 
 #include <algorithm>
 #include <atomic>
@@ -154,6 +155,28 @@ inline void FindNormal(const double* a, const double* b, double error, double no
   for (int c = 0; c < 3; ++c)
   {
     normal[c] = length > least && std::isfinite(length) ? normal[c] / length : 0.;
+  }
+}
+
+/// The unit normal of two tangents, or where they may be parallel one that is perpendicular to the
+/// longer tangent; reversed if it is turned. getError(isBound): how far off both tangents are
+/// together, or a bound for that which takes few operations.
+template <typename GetError>
+void FindSectorNormal(
+  const double* a, const double* b, const GetError& getError, bool isTurned, double normal[3])
+{
+  if (!FindClearNormal(a, b, getError(true), normal))
+  {
+    FindNormal(a, b, getError(false), normal);
+    if (std::hypot(normal[0], normal[1], normal[2]) == 0.)
+    {
+      FindPerpendicular(
+        std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal);
+    }
+  }
+  for (int c = 0; c < 3; ++c)
+  {
+    normal[c] = isTurned ? -normal[c] : normal[c];
   }
 }
 

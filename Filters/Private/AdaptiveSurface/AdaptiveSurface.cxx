@@ -53,31 +53,285 @@ public:
     , Cells(cells)
     , Others(others)
     , Output(output)
-    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, options.Features.ModifiedBoundary))
+    , Scheme(MakeSurfaceScheme<Id>(options.Scheme, false))
   {
     this->NoCentres.Simplices.NumberOfPoints = input->GetNumberOfPoints();
   }
-
   /// `memoryIsLimit`: why there may not be more cells.
-  bool Run(double mostCells, bool memoryIsLimit);
+  bool Run(double mostCells, bool memoryIsLimit)
+  {
+    this->MemoryIsLimit = memoryIsLimit;
+    this->StartPoints();
+    this->ReadControl();
+    if (this->IsStopped(0.1) || !this->RunRounds(static_cast<vtkIdType>(mostCells)) ||
+      this->IsStopped(0.7))
+    {
+      return false;
+    }
+    const AdaptiveSqrtThreeOutput<Id> plan(*this->Mesh);
+    this->WriteCells(plan);
+    if (this->IsStopped(0.8))
+    {
+      return false;
+    }
+    this->WritePoints(plan);
+    RebuildPointGhosts(this->Input, this->Output);
+    RemoveSurfaceStamp(this->Output);
+    if (this->Others && this->Options.GenerateGlobalIds)
+    {
+      NumberAdaptiveSurface(
+        this->Input, this->Cells, this->Control, *this->Mesh, plan, *this->Others, this->Output)
+        .Write(this->Output);
+    }
+    return true;
+  }
 
 private:
   bool IsStopped(double done) const
   {
     return this->Options.Progress && this->Options.Progress(done);
   }
-  void StartPoints();
-  void ReadControl();
-  bool RunRounds(vtkIdType mostCells);
-  vtkIdType Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells);
-  vtkIdType SplitTogether(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells);
-  bool IsTooLarge(bool fits);
-  void WarnOfLeft(vtkIdType left, vtkIdType mostCells);
-  void TellNotes(AdaptiveNotes& notes) const;
-  std::vector<vtkIdType> FindSegmentCells() const;
-  void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan);
-  Buffer<unsigned char> FindTurned() const;
-  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan);
+  void StartPoints()
+  {
+    this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
+    this->Points = StartPointArrays(
+      this->Options, this->Input, this->NoCentres, this->GlobalIds, false, this->Options.Warn);
+  }
+  void ReadControl()
+  {
+    this->Control = MakeControlLevel<Id>(this->Cells);
+    SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->Cells, this->Control);
+    const Coordinates points = this->Points->GetCoordinates();
+    AddSharpEdges(this->Control.Mesh,
+      { FindDerivedEdges(this->Control.Mesh, this->Cells.FaceCells, points, this->Options.Features),
+        {} },
+      creases);
+    const FeatureOptions& features = this->Options.Features;
+    OpenPointOptions open{ features.MergesPoints, features.ClosesNodes, features.JoiningCure, {} };
+    open.FindCell = [this](int dimension, vtkIdType index)
+    { return dimension == 2 ? this->Cells.FaceCells[static_cast<std::size_t>(index)] : -1; };
+    for (const std::string& warning : DescribeOpenPointsOfSurface(this->Control.Mesh, points, open))
+    {
+      this->Options.Warn(warning);
+    }
+    this->Control.Tags =
+      ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
+    this->Scheme->RestrictTags(this->Control);
+    this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);
+    this->Rows =
+      std::make_unique<AdaptiveSqrtThreeRows<Id>>(*this->Mesh, this->Control, *this->Scheme);
+    if (this->Others)
+    {
+      this->Shared =
+        std::make_unique<SharedFaces<Id>>(this->Cells, this->Control, *this->Mesh, *this->Others);
+    }
+  }
+  /// Returns false if Progress asks to stop.
+  bool RunRounds(vtkIdType mostCells)
+  {
+    if (this->Others && this->IsTooLarge(true))
+    {
+      this->Options.Warn(TooManyGiven);
+      return true;
+    }
+    RefinementCriteria criteria(this->Wanted, this->Input, this->NoCentres);
+    const std::vector<vtkIdType> segmentCells = this->FindSegmentCells();
+    AdaptiveSurfaceMarks<Id> finder(*this->Mesh, *this->Rows, this->Wanted, criteria,
+      this->Cells.FaceCells, segmentCells, this->Shared ? &this->Shared->GetScope() : nullptr);
+    AdaptiveNotes notes;
+    vtkIdType left = 0;
+    for (int round = 0; left == 0; ++round)
+    {
+      if (this->IsStopped(0.1 + 0.6 * round / (round + 5.)))
+      {
+        return false;
+      }
+      std::vector<AdaptiveMark<Id>> marks = finder.Find(notes);
+      const auto size = static_cast<vtkIdType>(marks.size());
+      if ((this->Others ? this->Others->Sum(size) : size) == 0)
+      {
+        break;
+      }
+      StableSort(marks,
+        [](const AdaptiveMark<Id>& a, const AdaptiveMark<Id>& b) { return a.Error > b.Error; });
+      left = this->Others ? this->SplitTogether(marks, mostCells) : this->Split(marks, mostCells);
+    }
+    if (left > 0)
+    {
+      this->WarnOfLeft(left, mostCells);
+    }
+    this->TellNotes(notes);
+    return true;
+  }
+  /// Does the splits of a round, and returns how many did not fit.
+  vtkIdType Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
+  {
+    vtkIdType left = 0;
+    ForEachInTurn(static_cast<vtkIdType>(marks.size()),
+      [&](vtkIdType i)
+      {
+        const Id face = marks[i].Face;
+        const bool isDone = left == 0 &&
+          (face < 0 ? this->Mesh->Cut(-1 - face, mostCells) : this->Mesh->Split(face, mostCells));
+        left += !isDone && (face < 0 || !this->Mesh->IsSplit(face)) ? 1 : 0;
+      });
+    return left;
+  }
+  /// The same for all partitions. If not all fit, each splits the faces with the largest errors.
+  vtkIdType SplitTogether(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
+  {
+    const AdaptiveSqrtThree<Id> before = *this->Mesh;
+    if (!this->IsTooLarge(this->Shared->Split(marks, marks.size(), mostCells)))
+    {
+      return 0;
+    }
+    this->MemoryIsLimit = this->NumberOfCells <= this->Options.MaximumNumberOfCells;
+    const auto fitsWith = [&](std::size_t count)
+    {
+      *this->Mesh = before;
+      this->Shared->Restart();
+      return !this->IsTooLarge(this->Shared->Split(marks, count, mostCells));
+    };
+    const std::size_t fits = FindFittingError(marks, *this->Others, fitsWith);
+    fitsWith(fits);
+    const auto left = std::count_if(marks.begin() + static_cast<std::ptrdiff_t>(fits), marks.end(),
+      [this](const AdaptiveMark<Id>& mark)
+      { return mark.Face < 0 || !this->Mesh->IsSplit(mark.Face); });
+    return std::max<vtkIdType>(1, this->Others->Sum(left));
+  }
+  /// Whether all partitions together have too many cells, or one does not have the memory.
+  bool IsTooLarge(bool fits)
+  {
+    this->NumberOfCells = this->Others->Sum(this->Shared->CountOwnCells());
+    return this->Others->Sum(fits ? 0 : 1) > 0 ||
+      this->NumberOfCells > this->Options.MaximumNumberOfCells;
+  }
+  void WarnOfLeft(vtkIdType left, vtkIdType mostCells)
+  {
+    const vtkIdType most = this->Others
+      ? this->Options.MaximumNumberOfCells
+      : mostCells + static_cast<vtkIdType>(this->Cells.Vertices.size());
+    this->Options.Warn(DescribeLeftOut(left, most, this->MemoryIsLimit));
+  }
+  void TellNotes(AdaptiveNotes& notes) const
+  {
+    NoteEdgesWithoutValue(
+      notes.WithoutValue, this->Wanted.Attribute, "on the limit at or next to them", this->Options);
+    if (notes.TooShort > 0)
+    {
+      this->Options.Warn(std::to_string(notes.TooShort) +
+        " cells that the criteria ask for were not refined: they are so small that no number lies "
+        "between the coordinates of their points. Use weaker criteria there.");
+    }
+  }
+
+  /// For each segment, an input cell on it; -1: there is none.
+  std::vector<vtkIdType> FindSegmentCells() const
+  {
+    std::vector<vtkIdType> cells(this->Mesh->GetNumberOfSegments(), -1);
+    for (vtkIdType line = this->Control.Lines.size() - 1; line >= 0; --line)
+    {
+      const Id segment = this->Mesh->GetSegmentOfEdge(this->Control.Lines[line] / 2);
+      cells[segment] = this->Cells.SegmentCells[line];
+    }
+    return cells;
+  }
+  void WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
+  {
+    using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
+    std::vector<Piece> pieces;
+    std::vector<vtkIdType> lineCells;
+    for (const vtkIdType line : InTurn(this->Control.Lines.size()))
+    {
+      plan.AppendPieces(this->Control.Lines[line], pieces);
+      lineCells.resize(pieces.size(), this->Cells.SegmentCells[line]);
+    }
+    SurfaceLevel<Id> level;
+    level.Mesh.Arity = 3;
+    level.Mesh.NumberOfVertices = this->Mesh->GetNumberOfVertices();
+    level.Mesh.NumberOfFaces = plan.GetNumberOfTriangles();
+    level.Mesh.Vertices = Buffer<Id>(3 * level.Mesh.NumberOfFaces);
+    level.Mesh.EdgeVertices = Buffer<Id>(static_cast<vtkIdType>(2 * pieces.size()));
+    level.Lines = Buffer<Id>(static_cast<vtkIdType>(pieces.size()));
+    const vtkIdType points = static_cast<vtkIdType>(this->Cells.Vertices.size());
+    const vtkIdType before = points + level.Lines.size();
+    vtkNew<vtkUnsignedCharArray> generations;
+    generations->SetName(GenerationName);
+    Allocate(generations, 1, before + level.Mesh.NumberOfFaces);
+    vtkNew<vtkIdTypeArray> ids;
+    Allocate(ids, 1, before + level.Mesh.NumberOfFaces);
+    vtkIdType* sources = ids->GetPointer(0);
+    unsigned char* generation = generations->GetPointer(0);
+    std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources);
+    std::fill(generation, generation + points, static_cast<unsigned char>(0));
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      level.Lines[i] = static_cast<Id>(2 * i);
+      std::copy_n(pieces[i].Ends, 2, level.Mesh.EdgeVertices.data() + 2 * i);
+      generation[points + i] = static_cast<unsigned char>(pieces[i].Generation);
+      sources[points + i] = lineCells[i];
+    }
+    plan.WriteTriangles(level.Mesh.Vertices.data(), generation + before, sources + before);
+    ForEach(level.Mesh.NumberOfFaces,
+      [&](vtkIdType i) { sources[before + i] = this->Cells.FaceCells[sources[before + i]]; });
+    WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
+    ids->SetName(OriginalCellIdsName);
+    CellArrayOptions options;
+    options.PointsMove = true;
+    options.OriginalIds = this->Options.GenerateOriginalIds; // global ids are copied then, too
+    options.Replaced = { OriginalCellIdsName };
+    options.Warn = this->Options.Warn;
+    CopyCellArrays(this->Input, ids, options, this->Output);
+    AddInstead(this->Input->GetCellData(), ids, this->Output->GetCellData());
+    AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
+  }
+  Buffer<unsigned char> FindTurned() const
+  {
+    const PolygonMesh<Id>& mesh = this->Control.Mesh;
+    return this->Others ? FindTurnedOfPart(mesh,
+                            MakeControlKeys(this->Input, this->Cells, *this->Others), *this->Others)
+                        : FindTurnedFaces(mesh);
+  }
+  void WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
+  {
+    const vtkIdType given = this->Mesh->GetNumberOfControlVertices();
+    const vtkIdType size = this->Mesh->GetNumberOfVertices();
+    Buffer<Id> origins(size - given);
+    auto origin = [&](vtkIdType point)
+    { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
+    for (vtkIdType v = given; v < size; ++v)
+    {
+      origins[v - given] = static_cast<Id>(origin(this->Mesh->FindFirstParent(
+        static_cast<Id>(v), [this](Id a, Id b) { return this->Points->IsEarlier(a, b); })));
+    }
+    const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
+    const bool wantsFrames = this->Options.HasFrames();
+    const Buffer<unsigned char> turned = wantsFrames ? this->FindTurned() : Buffer<unsigned char>();
+    TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
+    if (wantsFrames)
+    {
+      Buffer<double> points(3 * given);
+      std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
+      limit.FindTangents(points, tangents);
+      TurnTangents(
+        turned, [this](vtkIdType v) { return this->Rows->FindFaceOfTangents(static_cast<Id>(v)); },
+        tangents);
+      if (this->Options.GenerateLimitNormals)
+      {
+        FindNormals(*this->Scheme, this->Control, {}, turned, points.data(), tangents);
+      }
+    }
+    this->Points->Advance(limit, origin);
+    if (this->Options.GenerateLimitNormals)
+    {
+      this->Points->SetLimitNormals(tangents.Normals);
+    }
+    if (this->Options.GenerateTangents)
+    {
+      this->Points->SetLimitTangents(tangents.Values);
+    }
+    this->Points->Finish(this->Output);
+  }
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
@@ -96,305 +350,6 @@ private:
   vtkIdType NumberOfCells = 0;             ///< of all partitions, when IsTooLarge was called
   bool MemoryIsLimit = false;
 };
-
-template <typename Id>
-void AdaptiveRun<Id>::StartPoints()
-{
-  this->GlobalIds = ReadIdsOf(this->Input->GetPointData(), this->Input->GetNumberOfPoints());
-  this->Points = StartPointArrays(
-    this->Options, this->Input, this->NoCentres, this->GlobalIds, false, this->Options.Warn);
-}
-
-template <typename Id>
-void AdaptiveRun<Id>::ReadControl()
-{
-  this->Control = MakeControlLevel<Id>(this->Cells);
-  SurfaceCreases creases = ReadSurfaceCreases(this->Options.Features, this->Cells, this->Control);
-  const Coordinates points = this->Points->GetCoordinates();
-  AddSharpEdges(this->Control.Mesh,
-    { FindDerivedEdges(this->Control.Mesh, this->Cells.FaceCells, points, this->Options.Features),
-      {} },
-    creases);
-  const FeatureOptions& features = this->Options.Features;
-  OpenPointOptions open{ features.MergesPoints, features.ClosesNodes, features.JoiningCure, {} };
-  open.FindCell = [this](int dimension, vtkIdType index)
-  { return dimension == 2 ? this->Cells.FaceCells[static_cast<std::size_t>(index)] : -1; };
-  for (const std::string& warning : DescribeOpenPointsOfSurface(this->Control.Mesh, points, open))
-  {
-    this->Options.Warn(warning);
-  }
-  this->Control.Tags = ClassifySurface(this->Control.Mesh, *this->Scheme, creases.Features, points);
-  this->Scheme->RestrictTags(this->Control);
-  this->Mesh = std::make_unique<AdaptiveSqrtThree<Id>>(this->Control);
-  this->Rows =
-    std::make_unique<AdaptiveSqrtThreeRows<Id>>(*this->Mesh, this->Control, *this->Scheme);
-  if (this->Others)
-  {
-    this->Shared =
-      std::make_unique<SharedFaces<Id>>(this->Cells, this->Control, *this->Mesh, *this->Others);
-  }
-}
-
-template <typename Id>
-bool AdaptiveRun<Id>::Run(double mostCells, bool memoryIsLimit)
-{
-  this->MemoryIsLimit = memoryIsLimit;
-  this->StartPoints();
-  this->ReadControl();
-  if (this->IsStopped(0.1) || !this->RunRounds(static_cast<vtkIdType>(mostCells)) ||
-    this->IsStopped(0.7))
-  {
-    return false;
-  }
-  const AdaptiveSqrtThreeOutput<Id> plan(*this->Mesh);
-  this->WriteCells(plan);
-  if (this->IsStopped(0.8))
-  {
-    return false;
-  }
-  this->WritePoints(plan);
-  RebuildPointGhosts(this->Input, this->Output);
-  RemoveSurfaceStamp(this->Output);
-  if (this->Others && this->Options.GenerateGlobalIds)
-  {
-    NumberAdaptiveSurface(
-      this->Input, this->Cells, this->Control, *this->Mesh, plan, *this->Others, this->Output)
-      .Write(this->Output);
-  }
-  return true;
-}
-
-// ------------------------------------------------------------------------------------------------
-// Rounds
-
-/// For each segment, an input cell on it; -1: there is none.
-template <typename Id>
-std::vector<vtkIdType> AdaptiveRun<Id>::FindSegmentCells() const
-{
-  std::vector<vtkIdType> cells(this->Mesh->GetNumberOfSegments(), -1);
-  for (vtkIdType line = this->Control.Lines.size() - 1; line >= 0; --line)
-  {
-    const Id segment = this->Mesh->GetSegmentOfEdge(this->Control.Lines[line] / 2);
-    cells[segment] = this->Cells.SegmentCells[line];
-  }
-  return cells;
-}
-
-/// Returns false if Progress asks to stop.
-template <typename Id>
-bool AdaptiveRun<Id>::RunRounds(vtkIdType mostCells)
-{
-  if (this->Others && this->IsTooLarge(true))
-  {
-    this->Options.Warn(TooManyGiven);
-    return true;
-  }
-  RefinementCriteria criteria(this->Wanted, this->Input, this->NoCentres);
-  const std::vector<vtkIdType> segmentCells = this->FindSegmentCells();
-  AdaptiveSurfaceMarks<Id> finder(*this->Mesh, *this->Rows, this->Wanted, criteria,
-    this->Cells.FaceCells, segmentCells, this->Shared ? &this->Shared->GetScope() : nullptr);
-  AdaptiveNotes notes;
-  vtkIdType left = 0;
-  for (int round = 0; left == 0; ++round)
-  {
-    if (this->IsStopped(0.1 + 0.6 * round / (round + 5.)))
-    {
-      return false;
-    }
-    std::vector<AdaptiveMark<Id>> marks = finder.Find(notes);
-    const auto size = static_cast<vtkIdType>(marks.size());
-    if ((this->Others ? this->Others->Sum(size) : size) == 0)
-    {
-      break;
-    }
-    StableSort(marks,
-      [](const AdaptiveMark<Id>& a, const AdaptiveMark<Id>& b) { return a.Error > b.Error; });
-    left = this->Others ? this->SplitTogether(marks, mostCells) : this->Split(marks, mostCells);
-  }
-  if (left > 0)
-  {
-    this->WarnOfLeft(left, mostCells);
-  }
-  this->TellNotes(notes);
-  return true;
-}
-
-/// Does the splits of a round, and returns how many did not fit.
-template <typename Id>
-vtkIdType AdaptiveRun<Id>::Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
-{
-  vtkIdType left = 0;
-  ForEachInTurn(static_cast<vtkIdType>(marks.size()),
-    [&](vtkIdType i)
-    {
-      const Id face = marks[i].Face;
-      const bool isDone = left == 0 &&
-        (face < 0 ? this->Mesh->Cut(-1 - face, mostCells) : this->Mesh->Split(face, mostCells));
-      left += !isDone && (face < 0 || !this->Mesh->IsSplit(face)) ? 1 : 0;
-    });
-  return left;
-}
-
-/// The same for all partitions. If not all fit, each splits the faces with the largest errors.
-template <typename Id>
-vtkIdType AdaptiveRun<Id>::SplitTogether(
-  const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
-{
-  const AdaptiveSqrtThree<Id> before = *this->Mesh;
-  if (!this->IsTooLarge(this->Shared->Split(marks, marks.size(), mostCells)))
-  {
-    return 0;
-  }
-  this->MemoryIsLimit = this->NumberOfCells <= this->Options.MaximumNumberOfCells;
-  const auto fitsWith = [&](std::size_t count)
-  {
-    *this->Mesh = before;
-    this->Shared->Restart();
-    return !this->IsTooLarge(this->Shared->Split(marks, count, mostCells));
-  };
-  const std::size_t fits = FindFittingError(marks, *this->Others, fitsWith);
-  fitsWith(fits);
-  const auto left = std::count_if(marks.begin() + static_cast<std::ptrdiff_t>(fits), marks.end(),
-    [this](const AdaptiveMark<Id>& mark)
-    { return mark.Face < 0 || !this->Mesh->IsSplit(mark.Face); });
-  return std::max<vtkIdType>(1, this->Others->Sum(left));
-}
-
-/// Whether all partitions together have too many cells, or one does not have the memory.
-template <typename Id>
-bool AdaptiveRun<Id>::IsTooLarge(bool fits)
-{
-  this->NumberOfCells = this->Others->Sum(this->Shared->CountOwnCells());
-  return this->Others->Sum(fits ? 0 : 1) > 0 ||
-    this->NumberOfCells > this->Options.MaximumNumberOfCells;
-}
-
-template <typename Id>
-void AdaptiveRun<Id>::WarnOfLeft(vtkIdType left, vtkIdType mostCells)
-{
-  const vtkIdType most = this->Others
-    ? this->Options.MaximumNumberOfCells
-    : mostCells + static_cast<vtkIdType>(this->Cells.Vertices.size());
-  this->Options.Warn(DescribeLeftOut(left, most, this->MemoryIsLimit));
-}
-
-template <typename Id>
-void AdaptiveRun<Id>::TellNotes(AdaptiveNotes& notes) const
-{
-  NoteEdgesWithoutValue(
-    notes.WithoutValue, this->Wanted.Attribute, "on the limit at or next to them", this->Options);
-  if (notes.TooShort > 0)
-  {
-    this->Options.Warn(std::to_string(notes.TooShort) +
-      " cells that the criteria ask for were not refined: they are so small that no number lies "
-      "between the coordinates of their points. Use weaker criteria there.");
-  }
-}
-
-// ------------------------------------------------------------------------------------------------
-// Output
-
-template <typename Id>
-void AdaptiveRun<Id>::WriteCells(const AdaptiveSqrtThreeOutput<Id>& plan)
-{
-  using Piece = typename AdaptiveSqrtThreeOutput<Id>::Piece;
-  std::vector<Piece> pieces;
-  std::vector<vtkIdType> lineCells;
-  for (const vtkIdType line : InTurn(this->Control.Lines.size()))
-  {
-    plan.AppendPieces(this->Control.Lines[line], pieces);
-    lineCells.resize(pieces.size(), this->Cells.SegmentCells[line]);
-  }
-  SurfaceLevel<Id> level;
-  level.Mesh.Arity = 3;
-  level.Mesh.NumberOfVertices = this->Mesh->GetNumberOfVertices();
-  level.Mesh.NumberOfFaces = plan.GetNumberOfTriangles();
-  level.Mesh.Vertices = Buffer<Id>(3 * level.Mesh.NumberOfFaces);
-  level.Mesh.EdgeVertices = Buffer<Id>(static_cast<vtkIdType>(2 * pieces.size()));
-  level.Lines = Buffer<Id>(static_cast<vtkIdType>(pieces.size()));
-  const vtkIdType points = static_cast<vtkIdType>(this->Cells.Vertices.size());
-  const vtkIdType before = points + level.Lines.size();
-  vtkNew<vtkUnsignedCharArray> generations;
-  generations->SetName(GenerationName);
-  Allocate(generations, 1, before + level.Mesh.NumberOfFaces);
-  vtkNew<vtkIdTypeArray> ids;
-  Allocate(ids, 1, before + level.Mesh.NumberOfFaces);
-  vtkIdType* sources = ids->GetPointer(0);
-  unsigned char* generation = generations->GetPointer(0);
-  std::copy(this->Cells.VertexCells.begin(), this->Cells.VertexCells.end(), sources);
-  std::fill(generation, generation + points, static_cast<unsigned char>(0));
-  for (std::size_t i = 0; i < pieces.size(); ++i)
-  {
-    level.Lines[i] = static_cast<Id>(2 * i);
-    std::copy_n(pieces[i].Ends, 2, level.Mesh.EdgeVertices.data() + 2 * i);
-    generation[points + i] = static_cast<unsigned char>(pieces[i].Generation);
-    sources[points + i] = lineCells[i];
-  }
-  plan.WriteTriangles(level.Mesh.Vertices.data(), generation + before, sources + before);
-  ForEach(level.Mesh.NumberOfFaces,
-    [&](vtkIdType i) { sources[before + i] = this->Cells.FaceCells[sources[before + i]]; });
-  WriteSurfaceCells(level, this->Cells.Vertices, this->Options.Use32BitIds, this->Output);
-  ids->SetName(OriginalCellIdsName);
-  CellArrayOptions options;
-  options.PointsMove = true;
-  options.OriginalIds = this->Options.GenerateOriginalIds; // global ids are copied then, too
-  options.Replaced = { OriginalCellIdsName };
-  options.Warn = this->Options.Warn;
-  CopyCellArrays(this->Input, ids, options, this->Output);
-  AddInstead(this->Input->GetCellData(), ids, this->Output->GetCellData());
-  AddInstead(this->Input->GetCellData(), generations, this->Output->GetCellData());
-}
-
-template <typename Id>
-Buffer<unsigned char> AdaptiveRun<Id>::FindTurned() const
-{
-  const PolygonMesh<Id>& mesh = this->Control.Mesh;
-  return this->Others ? FindTurnedOfPart(mesh,
-                          MakeControlKeys(this->Input, this->Cells, *this->Others), *this->Others)
-                      : FindTurnedFaces(mesh);
-}
-
-template <typename Id>
-void AdaptiveRun<Id>::WritePoints(const AdaptiveSqrtThreeOutput<Id>& plan)
-{
-  const vtkIdType given = this->Mesh->GetNumberOfControlVertices();
-  const vtkIdType size = this->Mesh->GetNumberOfVertices();
-  Buffer<Id> origins(size - given);
-  auto origin = [&](vtkIdType point)
-  { return point < given ? point : static_cast<vtkIdType>(origins[point - given]); };
-  for (vtkIdType v = given; v < size; ++v)
-  {
-    origins[v - given] = static_cast<Id>(origin(this->Mesh->FindFirstParent(
-      static_cast<Id>(v), [this](Id a, Id b) { return this->Points->IsEarlier(a, b); })));
-  }
-  const AdaptiveSqrtThreeLimit<Id> limit(*this->Rows, plan.GetVertexLevels());
-  const bool wantsFrames = this->Options.HasFrames();
-  const Buffer<unsigned char> turned = wantsFrames ? this->FindTurned() : Buffer<unsigned char>();
-  TangentPairs tangents(wantsFrames ? limit.GetNumberOfRows() : 0);
-  if (wantsFrames)
-  {
-    Buffer<double> points(3 * given);
-    std::copy_n(this->Points->GetCoordinates().Values, points.size(), points.begin());
-    limit.FindTangents(points, tangents);
-    TurnTangents(
-      turned, [this](vtkIdType v) { return this->Rows->FindFaceOfTangents(static_cast<Id>(v)); },
-      tangents);
-    if (this->Options.GenerateLimitNormals)
-    {
-      FindNormals(*this->Scheme, this->Control, {}, turned, points.data(), tangents);
-    }
-  }
-  this->Points->Advance(limit, origin);
-  if (this->Options.GenerateLimitNormals)
-  {
-    this->Points->SetLimitNormals(tangents.Normals);
-  }
-  if (this->Options.GenerateTangents)
-  {
-    this->Points->SetLimitTangents(tangents.Values);
-  }
-  this->Points->Finish(this->Output);
-}
 
 /// How many cells the output may have: by the option, by MaximumLevel, and by the memory that there
 /// is.

@@ -7,6 +7,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLookupTable.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkVariant.h"
 
@@ -150,6 +151,23 @@ vtkIdType ToCount(double value)
   return value >= static_cast<double>(VTK_ID_MAX) ? VTK_ID_MAX
     : value >= 1.                                 ? static_cast<vtkIdType>(value)
                                                   : 1;
+}
+
+std::vector<double> GatherFromRanks(
+  vtkMultiProcessController* controller, const std::vector<double>& own)
+{
+  const int ranks = controller->GetNumberOfProcesses();
+  const auto size = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> sizes(ranks);
+  controller->AllGather(&size, sizes.data(), 1);
+  std::vector<vtkIdType> offsets(ranks, 0);
+  for (int r = 1; r < ranks; ++r)
+  {
+    offsets[r] = offsets[r - 1] + sizes[r - 1];
+  }
+  std::vector<double> all(offsets.back() + sizes.back());
+  controller->AllGatherV(own.data(), all.data(), size, sizes.data(), offsets.data());
+  return all;
 }
 
 vtkSmartPointer<vtkDataArray> Contiguous(vtkDataArray* array)

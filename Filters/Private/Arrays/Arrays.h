@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+class vtkMultiProcessController;
+
 namespace subdivision
 {
 
@@ -51,6 +53,10 @@ bool HasIds(vtkDataSetAttributes* data, const char* name, vtkIdType tuples);
 
 /// The global ids of points or cells; empty unless there is one for each.
 std::vector<vtkIdType> ReadIdsOf(vtkDataSetAttributes* data, vtkIdType tuples);
+
+/// The lists of all ranks, one after another in their order. All ranks call it.
+std::vector<double> GatherFromRanks(
+  vtkMultiProcessController* controller, const std::vector<double>& own);
 
 /// Converts a number to an id; -1 if it is NaN or so large that a double is not exact.
 vtkIdType ToId(double value);

@@ -207,7 +207,8 @@ void ReduceSharpness(const char* name, int levels, vtkUnstructuredGrid* output)
   }
   for (const vtkIdType cell : InTurn(output->GetNumberOfCells()))
   {
-    if (output->GetCellType(cell) == VTK_LINE || output->GetCellType(cell) == VTK_TRIANGLE)
+    const int type = output->GetCellType(cell);
+    if (type == VTK_LINE || type == VTK_TRIANGLE || type == VTK_QUAD)
     {
       sharpness->SetComponent(cell, 0, std::max(sharpness->GetComponent(cell, 0) - levels, 0.));
     }

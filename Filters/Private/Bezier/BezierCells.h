@@ -41,6 +41,9 @@ struct BezierOptions
   std::function<void(const std::string&)> Fail;
 };
 
+/// Whether an input has solids or, where faces become quads, faces that are none. `input`: from
+/// ReadableMesh.h; null: not known.
+bool HasOtherCells(vtkDataObject* input, bool toQuads);
 /// How many steps beyond Levels an input needs: more if it has solids or, where faces become quads,
 /// faces that are none. `input`: from ReadableMesh.h; null: not known.
 int CountFurtherSteps(vtkDataObject* input, bool toQuads);

@@ -57,7 +57,7 @@ bool HasCellsOfMoreSteps(vtkPointSet* mesh, bool toQuads)
 
 }
 
-int CountFurtherSteps(vtkDataObject* input, bool toQuads)
+bool HasOtherCells(vtkDataObject* input, bool toQuads)
 {
   bool needsMore = !input;
   ChangeMeshes(input,
@@ -70,9 +70,14 @@ int CountFurtherSteps(vtkDataObject* input, bool toQuads)
       }
       return object;
     });
+  return needsMore;
+}
+
+int CountFurtherSteps(vtkDataObject* input, bool toQuads)
+{
   // The first step makes quads of other faces, and cells of the next level need the same steps.
-  return needsMore ? PatchShape::Get(PatchShape::Tetrahedron).SampleLevels
-                   : PatchShape::Get(PatchShape::Quad).SampleLevels;
+  return HasOtherCells(input, toQuads) ? PatchShape::Get(PatchShape::Tetrahedron).SampleLevels
+                                       : PatchShape::Get(PatchShape::Quad).SampleLevels;
 }
 
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Bezier/PatchShape.h"
 
-#include "Core/Solids/Limits/PlacePolynomial.h"
-
 #include "vtkCellType.h"
 #include "vtkHigherOrderQuadrilateral.h"
 #include "vtkHigherOrderTetra.h"
@@ -20,7 +18,7 @@ namespace
 /// Multiples along the axes as weights of the corners of a simplex, the first corner last.
 using CornerMultiples = std::array<int, 4>;
 
-CornerMultiples ToCorners(const LatticePoint& point, int all)
+CornerMultiples ToCorners(const FrameNode& point, int all)
 {
   return { { point[0], point[1], point[2], all - point[0] - point[1] - point[2] } };
 }
@@ -113,14 +111,14 @@ private:
         {
           if (this->IsQuad || i + j + k <= divisions)
           {
-            act(LatticePoint{ { i, j, k } });
+            act(FrameNode{ { i, j, k } });
           }
         }
       }
     }
   }
   /// VTK's number of a control point.
-  vtkIdType Number(const LatticePoint& control) const
+  vtkIdType Number(const FrameNode& control) const
   {
     const CornerMultiples multiples = ToCorners(control, this->Degree);
     if (this->IsQuad)
@@ -144,9 +142,9 @@ private:
       }
     }
   }
-  LatticePoint GetNode(const LatticePoint& control) const
+  FrameNode GetNode(const FrameNode& control) const
   {
-    LatticePoint node{ { 0, 0, 0 } };
+    FrameNode node{ { 0, 0, 0 } };
     const CornerMultiples multiples = ToCorners(control, this->Degree);
     for (int axis = 0; axis < this->Shape.Dimension; ++axis)
     {
@@ -156,7 +154,7 @@ private:
     return node;
   }
   /// A Bernstein polynomial at a point of a lattice.
-  double EvaluateAt(const LatticePoint& control, const LatticePoint& point, double divisions) const
+  double EvaluateAt(const FrameNode& control, const FrameNode& point, double divisions) const
   {
     const double x = point[0] / divisions;
     const double y = point[1] / divisions;
@@ -167,140 +165,98 @@ private:
   }
   void ListControlPoints()
   {
-    this->ForLattice(this->Degree, [this](const LatticePoint&) { this->Controls.emplace_back(); });
+    this->ForLattice(this->Degree, [this](const FrameNode&) { this->Controls.emplace_back(); });
     this->Shape.Nodes.resize(this->Controls.size());
     this->ForLattice(this->Degree,
-      [this](const LatticePoint& control)
+      [this](const FrameNode& control)
       {
         const auto number = static_cast<std::size_t>(this->Number(control));
         this->Controls[number] = control;
         this->Shape.Nodes[number] = this->GetNode(control);
       });
   }
-  void Invert();
-  void ListChecks();
-  void ListChildren();
+  /// The weights of nodes are the inverse of the matrix of the polynomials there.
+  void Invert()
+  {
+    const std::size_t size = this->Controls.size();
+    std::vector<std::vector<double>> matrix(size, std::vector<double>(size));
+    this->Shape.Weights = matrix;
+    std::vector<double*> rows;
+    std::vector<double*> inverse;
+    for (std::size_t node = 0; node < size; ++node)
+    {
+      for (std::size_t c = 0; c < size; ++c)
+      {
+        matrix[node][c] = this->EvaluateAt(
+          this->Controls[c], this->Shape.Nodes[node], static_cast<double>(this->Shape.Divisions));
+      }
+      rows.push_back(matrix[node].data());
+      inverse.push_back(this->Shape.Weights[node].data());
+    }
+    vtkMath::InvertMatrix(rows.data(), inverse.data(), static_cast<int>(size));
+    for (auto& weights : this->Shape.Weights)
+    {
+      for (double& weight : weights)
+      {
+        weight =
+          std::abs(weight) < 1e-13 ? 0. : weight; // nodes elsewhere; others are multiples of 1e-4
+      }
+    }
+  }
+  void ListChecks()
+  {
+    const int divisions = 2 * this->Shape.Divisions;
+    this->ForLattice(divisions,
+      [&](const FrameNode& point)
+      {
+        std::vector<double> weights(this->Controls.size());
+        for (std::size_t c = 0; c < weights.size(); ++c)
+        {
+          const double basis =
+            this->EvaluateAt(this->Controls[c], point, static_cast<double>(divisions));
+          for (std::size_t node = 0; node < weights.size(); ++node)
+          {
+            weights[node] += basis * this->Shape.Weights[c][node];
+          }
+        }
+        this->Shape.Checked.push_back(point);
+        this->Shape.CheckWeights.push_back(std::move(weights));
+      });
+  }
+  /// Children as steps write them.
+  void ListChildren()
+  {
+    const CellShape shape = this->IsQuad ? CellShape::Quad
+      : this->Shape.Dimension == 3       ? CellShape::Tet
+                                         : static_cast<CellShape>(this->Shape.Dimension);
+    const auto corners = GetCornerNodes(shape, 2);
+    this->Shape.CornerPoints.assign(corners.begin(), corners.begin() + this->Shape.Corners);
+    for (const LatticeCell& child : ListLatticeCells(shape, SplitOrder::Simplices, 1))
+    {
+      LatticePart part{ child.Corners[0], {} };
+      for (int i = 0; i < this->Shape.Dimension; ++i)
+      {
+        const FrameNode& end = child.Corners[this->IsQuad ? 1 + 2 * i : 1 + i];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          part.Axes[i][axis] = end[axis] - part.Origin[axis];
+        }
+      }
+      this->Shape.Children.push_back(part);
+    }
+  }
 
   const bool IsQuad;
   const int Degree;
   PatchShape Shape;
-  std::vector<LatticePoint> Controls;
+  std::vector<FrameNode> Controls;
 };
 
-/// The weights of nodes are the inverse of the matrix of the polynomials there.
-void ShapeMaker::Invert()
-{
-  const std::size_t size = this->Controls.size();
-  std::vector<std::vector<double>> matrix(size, std::vector<double>(size));
-  this->Shape.Weights = matrix;
-  std::vector<double*> rows;
-  std::vector<double*> inverse;
-  for (std::size_t node = 0; node < size; ++node)
-  {
-    for (std::size_t c = 0; c < size; ++c)
-    {
-      matrix[node][c] = this->EvaluateAt(
-        this->Controls[c], this->Shape.Nodes[node], static_cast<double>(this->Shape.Divisions));
-    }
-    rows.push_back(matrix[node].data());
-    inverse.push_back(this->Shape.Weights[node].data());
-  }
-  vtkMath::InvertMatrix(rows.data(), inverse.data(), static_cast<int>(size));
-  for (auto& weights : this->Shape.Weights)
-  {
-    for (double& weight : weights)
-    {
-      weight =
-        std::abs(weight) < 1e-13 ? 0. : weight; // nodes elsewhere; others are multiples of 1e-4
-    }
-  }
 }
 
-void ShapeMaker::ListChecks()
+FrameNode LatticePart::At(const FrameNode& point, int divisions) const
 {
-  const int divisions = 2 * this->Shape.Divisions;
-  this->ForLattice(divisions,
-    [&](const LatticePoint& point)
-    {
-      std::vector<double> weights(this->Controls.size());
-      for (std::size_t c = 0; c < weights.size(); ++c)
-      {
-        const double basis =
-          this->EvaluateAt(this->Controls[c], point, static_cast<double>(divisions));
-        for (std::size_t node = 0; node < weights.size(); ++node)
-        {
-          weights[node] += basis * this->Shape.Weights[c][node];
-        }
-      }
-      this->Shape.Checked.push_back(point);
-      this->Shape.CheckWeights.push_back(std::move(weights));
-    });
-}
-
-/// Children as steps write them: simplices by Simplices.h, the child of a quad at corner c with
-/// that corner, the middle of the edge behind it, the centre, and the middle of the edge before.
-void ShapeMaker::ListChildren()
-{
-  std::vector<LatticePoint>& corners = this->Shape.CornerPoints;
-  corners.push_back({ { 0, 0, 0 } });
-  if (this->IsQuad)
-  {
-    corners.insert(corners.end(), { { { 2, 0, 0 } }, { { 2, 2, 0 } }, { { 0, 2, 0 } } });
-  }
-  else
-  {
-    for (int axis = 0; axis < this->Shape.Dimension; ++axis)
-    {
-      corners.push_back({ { 0, 0, 0 } });
-      corners.back()[axis] = 2;
-    }
-  }
-  const auto middle = [&corners](int a, int b)
-  {
-    LatticePoint point;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      point[axis] = (corners[a][axis] + corners[b][axis]) / 2;
-    }
-    return point;
-  };
-  const auto add = [this](const LatticePoint& origin, const std::vector<LatticePoint>& ends)
-  {
-    LatticePart child;
-    child.Origin = origin;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-    {
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        child.Axes[i][axis] = ends[i][axis] - origin[axis];
-      }
-    }
-    this->Shape.Children.push_back(child);
-  };
-  if (this->IsQuad)
-  {
-    for (int c = 0; c < 4; ++c)
-    {
-      add(corners[c], { middle(c, (c + 1) % 4), middle(c, (c + 3) % 4) });
-    }
-    return;
-  }
-  for (const SimplexChild& child : subdivision::ListChildren(this->Shape.Dimension))
-  {
-    std::vector<LatticePoint> points;
-    for (int i = 0; i <= this->Shape.Dimension; ++i)
-    {
-      points.push_back(middle(child.Corners[i][0], child.Corners[i][1]));
-    }
-    add(points[0], { points.begin() + 1, points.end() });
-  }
-}
-
-}
-
-LatticePoint LatticePart::At(const LatticePoint& point, int divisions) const
-{
-  LatticePoint at = this->Origin;
+  FrameNode at = this->Origin;
   for (int axis = 0; axis < 3; ++axis)
   {
     at[axis] += (point[0] * this->Axes[0][axis] + point[1] * this->Axes[1][axis] +

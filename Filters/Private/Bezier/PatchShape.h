@@ -14,30 +14,30 @@
 #ifndef SubdivisionObjects_PatchShape_h
 #define SubdivisionObjects_PatchShape_h
 
+#include "Private/Roots/RootLattice.h"
+
 #include <array>
 #include <vector>
 
 namespace subdivision
 {
 
-/// A point of the lattice that divides the edges of a cell: multiples along its axes, which lead
-/// from the first corner to the next ones (of a quad, to the second and the last).
-using LatticePoint = std::array<int, 3>;
-
-/// A part of a cell that is like it: its first corner and its axes, on the cell's lattice.
+/// A part of a cell that is like it: its first corner and its axes, which lead to the next corners
+/// (of a quad, to the second and the last), on the cell's lattice.
 struct LatticePart
 {
-  LatticePoint Origin{ { 0, 0, 0 } };
-  std::array<LatticePoint, 3> Axes{ { { { 0, 0, 0 } }, { { 0, 0, 0 } }, { { 0, 0, 0 } } } };
+  FrameNode Origin{ { 0, 0, 0 } };
+  std::array<FrameNode, 3> Axes{ { { { 0, 0, 0 } }, { { 0, 0, 0 } }, { { 0, 0, 0 } } } };
 
   /// A point of the part's own lattice, whose axes have `divisions` parts.
-  LatticePoint At(const LatticePoint& point, int divisions) const;
+  FrameNode At(const FrameNode& point, int divisions) const;
   /// A part of this part, given on its lattice of so many divisions.
   LatticePart Take(const LatticePart& child, int divisions = 2) const;
 };
 
 struct PatchShape
 {
+  /// In the order of CellShape.
   enum Kind : int
   {
     Curve,
@@ -54,20 +54,21 @@ struct PatchShape
   int SampleLevels; ///< nodes need the points of so many further steps
   int Divisions;    ///< the parts of an edge then
   /// Where each control point has its node, in VTK's order of points; corners come first.
-  std::vector<LatticePoint> Nodes;
+  std::vector<FrameNode> Nodes;
   /// A row for each control point: the weights of the values at the nodes.
   std::vector<std::vector<double>> Weights;
   /// Points of the lattice with twice as many divisions, and the weights that give the polynomial
   /// there.
-  std::vector<LatticePoint> Checked;
+  std::vector<FrameNode> Checked;
   std::vector<std::vector<double>> CheckWeights;
   /// Where the corners are, and the children in the order of a step, on the lattice of two
   /// divisions.
-  std::vector<LatticePoint> CornerPoints;
+  std::vector<FrameNode> CornerPoints;
   std::vector<LatticePart> Children;
 
   /// Of the least degree that is exact where all is regular.
   static const PatchShape& Get(Kind kind);
+  static Kind FindKind(CellShape shape) { return static_cast<Kind>(static_cast<int>(shape) - 1); }
   /// Of that degree, if it is larger: 4 or 5 for curves, 5 for triangles.
   static const PatchShape& Get(Kind kind, int degree);
 };

@@ -34,12 +34,16 @@ struct BoundedRun
   bool IsTetOct = false;   ///< whether solids follow the tet/oct scheme
   bool HasThirds = false;  ///< whether two steps cut edges into thirds, and not one into halves
   /// Of these, for each cell of the output the number of its octahedron; null: there is none.
-  vtkDataArray* Octahedra = nullptr;
   /// Makes another run: with so many levels, projected or not; the operators of its steps go to
   /// `factors`, unless that is null. Returns null after an error, or if it was stopped.
   std::function<vtkSmartPointer<vtkPointSet>(
     int levels, bool project, const RunOptions& options, MatrixFactors* factors)>
     Subdivide;
+  /// The same by the plain rules at boundaries; null: the run follows them. Where both differ there
+  /// is no proof.
+  std::function<vtkSmartPointer<vtkPointSet>(
+    int levels, const RunOptions& options, MatrixFactors* factors)>
+    SubdividePlain;
   /// Makes steps on a patch of a mesh with thirds (PartsAsCells.h).
   std::function<vtkSmartPointer<vtkPointSet>(
     vtkPolyData* patch, int levels, const RunOptions& options, MatrixFactors* factors)>

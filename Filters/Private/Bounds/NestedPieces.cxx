@@ -2,12 +2,11 @@
 #include "Private/Bounds/NestedPieces.h"
 
 #include "Core/Memory/Sorting.h"
-#include "Private/Bezier/BezierRoots.h"
+#include "Private/Bounds/TetOctPieces.h"
 #include "Private/Bounds/TetOctReader.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Roots/SplitRoots.h"
 
-#include "vtkCellType.h"
-#include "vtkDataArray.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
@@ -18,16 +17,16 @@ namespace subdivision
 {
 
 NestedPieces::NestedPieces(
-  vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points, const TetOctMesh* before)
+  vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points, vtkPointSet* before)
   : NestedPieces({}, {}, points)
 {
-  const BezierRoots roots(fine, Steps);
+  const SplitRoots roots(fine, Steps);
   this->ReadCells(roots, before);
   this->PlacePoints = Buffer<vtkIdType>(this->FirstPlaces.back());
   this->ReadPlaces(roots);
   if (before)
   {
-    this->ReadTetOct(roots, fine, before->Mesh);
+    this->ReadTetOct(roots, fine, before);
     this->AlignEqualTets();
   }
   this->FindParents();
@@ -59,34 +58,23 @@ void NestedPieces::AddCell(int kind)
   }
 }
 
-void NestedPieces::ReadCells(const BezierRoots& roots, const TetOctMesh* before)
+void NestedPieces::ReadCells(const SplitRoots& roots, vtkPointSet* before)
 {
   std::vector<int> kinds;
-  bool isNested = !before || before->Mesh->GetNumberOfCells() == roots.GetNumberOfRoots();
+  bool isNested = !before || before->GetNumberOfCells() == roots.GetNumberOfRoots();
   for (const vtkIdType r : InTurn(isNested ? roots.GetNumberOfRoots() : 0))
   {
     const Root& root = roots.GetRoot(r);
-    isNested =
-      isNested && (root.Kind < 0 ? roots.GetType(root) == VTK_VERTEX : root.Steps == Steps);
-    kinds.push_back(before && root.Kind == PatchShape::Tetrahedron
-        ? FindTetOctKind(*before, r, kinds.empty() ? -1 : kinds.back())
-        : root.Kind);
+    isNested = isNested && root.Lattice && root.Steps == Steps &&
+      (root.Shape <= CellShape::Tet || (before && root.Shape == CellShape::Octahedron));
+    kinds.push_back(root.Shape == CellShape::Octahedron ? Lattice::FirstQuarter + root.Quarter
+        : before && root.Shape == CellShape::Tet        ? Lattice::TetOctTetrahedron
+                                                        : static_cast<int>(root.Shape) - 1);
   }
   for (const std::size_t c : InTurn(isNested ? kinds.size() : 0))
   {
     this->AddCell(kinds[c]);
   }
-}
-
-/// The quarters of an octahedron follow each other. `last`: the kind of the cell before.
-int NestedPieces::FindTetOctKind(const TetOctMesh& before, vtkIdType cell, int last)
-{
-  if (!before.Octahedra || before.Octahedra->GetComponent(cell, 0) < 0.)
-  {
-    return Lattice::TetOctTetrahedron;
-  }
-  const bool isFirst = last < Lattice::FirstQuarter || last == Lattice::NumberOfKinds - 1;
-  return isFirst ? Lattice::FirstQuarter : last + 1;
 }
 
 bool NestedPieces::AreOf(vtkPointSet* mesh) const
@@ -116,37 +104,29 @@ bool NestedPieces::AreOf(vtkPointSet* mesh) const
   return true;
 }
 
-void NestedPieces::ReadPlaces(const BezierRoots& roots)
+void NestedPieces::ReadPlaces(const SplitRoots& roots)
 {
   ForEach(this->GetNumberOfCells(),
     [&](vtkIdType c)
     {
-      thread_local std::vector<vtkIdType> ids;
       vtkIdType* to = this->PlacePoints.data() + this->FirstPlaces[c];
       const Root& root = roots.GetRoot(c);
-      if (root.Kind < 0)
-      {
-        roots.GetPoints(root, ids);
-        *to = ids[0];
-        return;
-      }
       if (this->Kinds[c] < PatchShape::NumberOfKinds)
       {
-        for (const LatticePoint& place : this->GetLattice(c).Places)
-        {
-          *to++ = roots.GetPoint(root, place);
-        }
+        const auto& places = this->GetLattice(c).Places;
+        std::transform(places.begin(), places.end(), to,
+          [&](const FrameNode& place) { return roots.GetPoint(root, place); });
       }
     });
 }
 
-void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before)
+void NestedPieces::ReadTetOct(const SplitRoots& roots, vtkPointSet* fine, vtkPointSet* before)
 {
   const CellReader cells(before);
+  const TetOctReader reader(fine);
   ForRanges(this->GetNumberOfCells(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      TetOctReader reader(fine);
       std::vector<vtkIdType> scratch;
       for (vtkIdType c = begin; c < end; ++c)
       {
@@ -155,11 +135,8 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
         {
           continue; // with the first quarter
         }
-        if (quarter < 0)
-        {
-          reader.ReadTet(roots.GetRoot(c).First);
-        }
-        else
+        TetOctReader::Solid solid = reader.GetTet(roots.GetRoot(c).First);
+        if (quarter == 0)
         {
           std::array<vtkIdType, 16> corners{};
           for (int k = 0; k < 4; ++k)
@@ -167,7 +144,7 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
             const CellIds cell = cells.GetCell(c + k, scratch);
             std::copy_n(cell.Ids, 4, corners.data() + 4 * k);
           }
-          reader.ReadOct(roots.GetRoot(c).First, TetOctPieces::Join(corners.data()));
+          solid = reader.GetOct(solid.First, TetOctPieces::Join(corners.data()));
         }
         for (vtkIdType part = c; part < (quarter < 0 ? c + 1 : c + 4); ++part)
         {
@@ -175,7 +152,7 @@ void NestedPieces::ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPo
           const Lattice& lattice = this->GetLattice(part);
           for (int point = 0; point < lattice.CountPoints(); ++point)
           {
-            *to++ = reader.Get(lattice.GetPlaceInSolid(point));
+            *to++ = reader.GetPoint(solid, lattice.GetPlaceInSolid(point));
           }
         }
       }

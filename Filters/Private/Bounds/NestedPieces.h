@@ -14,21 +14,12 @@
 #include <array>
 #include <vector>
 
-class vtkDataArray;
 class vtkPointSet;
 
 namespace subdivision
 {
 
-class BezierRoots;
-
-struct TetOctMesh
-{
-  vtkPointSet* Mesh;
-  /// For each cell the number of the octahedron that it is a quarter of, -1: of none. Null: it has
-  /// no octahedra.
-  vtkDataArray* Octahedra;
-};
+class SplitRoots;
 
 class NestedPieces
 {
@@ -43,7 +34,7 @@ public:
   /// all steps. `before`: the mesh before these if its scheme is tet/oct. There are no cells if
   /// some cell was not split in all steps.
   NestedPieces(vtkPointSet* fine, const std::array<vtkIdType, Steps + 1>& points,
-    const TetOctMesh* before = nullptr);
+    vtkPointSet* before = nullptr);
 
   /// `kinds` has the kind of each cell (PieceLattice::Get), `placePoints` the points of all cells,
   /// each in the order of its lattice.
@@ -97,11 +88,10 @@ public:
   }
 
 private:
-  void ReadCells(const BezierRoots& roots, const TetOctMesh* before);
-  static int FindTetOctKind(const TetOctMesh& before, vtkIdType cell, int last);
+  void ReadCells(const SplitRoots& roots, vtkPointSet* before);
   void AddCell(int kind);
-  void ReadPlaces(const BezierRoots& roots);
-  void ReadTetOct(const BezierRoots& roots, vtkPointSet* fine, vtkPointSet* before);
+  void ReadPlaces(const SplitRoots& roots);
+  void ReadTetOct(const SplitRoots& roots, vtkPointSet* fine, vtkPointSet* before);
   void AlignEqualTets();
   void FindParents();
 

@@ -77,7 +77,7 @@ PatchShape::Kind GetShape(int kind)
                                              : PatchShape::Tetrahedron;
 }
 
-int Number(const LatticePoint& place, int side)
+int Number(const FrameNode& place, int side)
 {
   return place[0] + side * (place[1] + side * place[2]);
 }
@@ -136,7 +136,7 @@ PieceLattice PieceLattice::Make(int kind)
   return lattice;
 }
 
-int PieceLattice::AddPoint(const LatticePoint& place)
+int PieceLattice::AddPoint(const FrameNode& place)
 {
   int& number = this->Numbers[Number(place, this->Size + 1)];
   if (number < 0)
@@ -167,7 +167,7 @@ void PieceLattice::AddPoints(const std::vector<LatticePart>& pieces)
   }
   for (int k = 0; k < this->Corners; ++k)
   {
-    const LatticePoint& unit = this->CornerPlaces[k];
+    const FrameNode& unit = this->CornerPlaces[k];
     this->CornerPoints[k] =
       this->Find({ { this->Size * unit[0], this->Size * unit[1], this->Size * unit[2] } });
   }
@@ -197,7 +197,7 @@ void PieceLattice::AddMiddles(
     {
       for (int k = 0; k < this->Corners; ++k)
       {
-        const LatticePoint place = child.At(this->CornerPlaces[k], 1);
+        const FrameNode place = child.At(this->CornerPlaces[k], 1);
         const Weights weights = this->WeighCorners(place, this->Cuts);
         double least = 1.; // of the parents; others have multiples of it
         for (const double weight : weights)
@@ -228,18 +228,17 @@ void PieceLattice::AddMiddles(
 
 /// Where a point is in an octahedron (TetOctPieces) that has this as one of its quarters; where the
 /// point is in the cell, where `quarter` is negative.
-LatticePoint PieceLattice::GetPlaceInQuarter(int quarter, int point) const
+FrameNode PieceLattice::GetPlaceInQuarter(int quarter, int point) const
 {
   if (quarter < 0)
   {
     return this->Places[point];
   }
-  LatticePoint place{ { 0, 0, 0 } };
+  FrameNode place{ { 0, 0, 0 } };
   for (int k = 0; k < this->Corners; ++k)
   {
     const auto multiple = static_cast<int>(this->Points[point][k] * Divisions);
-    const TetOctPieces::Place vertex =
-      TetOctPieces::GetVertex(TetOctPieces::GetQuarters()[quarter][k]);
+    const FrameNode vertex = TetOctPieces::GetVertex(TetOctPieces::GetQuarters()[quarter][k]);
     for (int axis = 0; axis < 3; ++axis)
     {
       place[axis] += multiple * vertex[axis];
@@ -265,12 +264,14 @@ void PieceLattice::AddNeighboursInSolids()
   {
     add(other);
   }
-  for (const TetOctPieces::Solid& solid : TetOctPieces::Get(this->Quarter >= 0).Solids)
+  const CellShape shape = this->Quarter < 0 ? CellShape::Tet : CellShape::Octahedron;
+  for (const LatticeCell& solid : ListLatticeCells(shape, SplitOrder::TetOct, Steps))
   {
-    for (int i = 0; i < solid.CountCorners(); ++i)
+    const int corners = GetCellTable(solid.Shape).Corners;
+    for (int i = 0; i < corners; ++i)
     {
       const int point = this->PointsOfSolid.at(solid.Corners[i]);
-      for (int j = 0; this->Has(point) && j < solid.CountCorners(); ++j)
+      for (int j = 0; this->Has(point) && j < corners; ++j)
       {
         this->Neighbours[point].push_back(this->PointsOfSolid.at(solid.Corners[j]));
       }
@@ -291,7 +292,7 @@ void PieceLattice::TurnChildren()
     part.Origin = getCorner(corners[0]);
     for (int axis = 0; axis < 3; ++axis)
     {
-      const LatticePoint end = getCorner(corners[axis + 1]);
+      const FrameNode end = getCorner(corners[axis + 1]);
       for (int x = 0; x < 3; ++x)
       {
         part.Axes[axis][x] = end[x] - part.Origin[x];
@@ -373,7 +374,7 @@ PieceLattice::Mask PieceLattice::Close(Mask corners) const
   return this->IsQuad() && !isFace ? this->GetWhole() : corners;
 }
 
-PieceLattice::Weights PieceLattice::WeighCorners(const LatticePoint& place, int divisions) const
+PieceLattice::Weights PieceLattice::WeighCorners(const FrameNode& place, int divisions) const
 {
   const auto divide = [divisions](int x) { return static_cast<double>(x) / divisions; };
   const double x = divide(place[0]);
@@ -385,7 +386,7 @@ PieceLattice::Weights PieceLattice::WeighCorners(const LatticePoint& place, int 
   return { { divide(divisions - place[0] - place[1] - place[2]), x, y, divide(place[2]) } };
 }
 
-int PieceLattice::Find(const LatticePoint& place) const
+int PieceLattice::Find(const FrameNode& place) const
 {
   const int side = this->Size + 1;
   const bool isInside =
@@ -395,7 +396,7 @@ int PieceLattice::Find(const LatticePoint& place) const
 
 int PieceLattice::FindOfChild(int child, int point) const
 {
-  LatticePoint place = this->GetPlaceInChild(child, point);
+  FrameNode place = this->GetPlaceInChild(child, point);
   for (int& x : place)
   {
     if (x % this->Cuts != 0)
@@ -410,7 +411,7 @@ int PieceLattice::FindOfChild(int child, int point) const
 int PieceLattice::GetStep(int point) const
 {
   int step = Steps;
-  const LatticePoint& place = this->Places[point];
+  const FrameNode& place = this->Places[point];
   for (int size = this->Cuts; size <= this->Size &&
     std::all_of(place.begin(), place.end(), [size](int x) { return x % size == 0; });
     size *= this->Cuts)

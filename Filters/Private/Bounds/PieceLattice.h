@@ -36,11 +36,11 @@ struct PieceLattice
 
   int Dimension = 0;
   int Corners = 1;
-  int Cuts = 2;                     ///< the parts into which a step cuts an edge
-  int Size = Divisions;             ///< the divisions of an edge of this cell
-  std::vector<LatticePoint> Places; ///< where each point is
-  std::vector<Weights> Points;      ///< each as weights of the corners of the cell
-  std::vector<Mask> Faces;          ///< which face each point is inside of
+  int Cuts = 2;                  ///< the parts into which a step cuts an edge
+  int Size = Divisions;          ///< the divisions of an edge of this cell
+  std::vector<FrameNode> Places; ///< where each point is
+  std::vector<Weights> Points;   ///< each as weights of the corners of the cell
+  std::vector<Mask> Faces;       ///< which face each point is inside of
   /// Of each point: itself, and the points that have a piece (in a tet/oct solid, one of its
   /// solids) in common with it. They may lie in other quarters: point p of the quarter that is k
   /// further on has the number p + k times the number of points of a quarter.
@@ -48,7 +48,7 @@ struct PieceLattice
   std::vector<int> Pieces; ///< the points of each piece, one after the other
   std::array<std::vector<Middle>, Steps + 1> Middles; ///< the points that each step makes
   /// Where the corners are, where the cell has one division.
-  std::array<LatticePoint, MostCorners> CornerPlaces{};
+  std::array<FrameNode, MostCorners> CornerPlaces{};
   std::array<int, MostCorners> CornerPoints{};
   /// The parts into which the first step that cuts the cell cuts it, on a lattice with `Cuts` times
   /// as many divisions. Pieces come child by child.
@@ -56,7 +56,7 @@ struct PieceLattice
   std::vector<int> ChildKinds;
   /// Of a tet/oct solid: its points, and the points of all quarters of its octahedron, by their
   /// places in it (TetOctPieces), numbered as in Neighbours.
-  std::map<LatticePoint, int> PointsOfSolid;
+  std::map<FrameNode, int> PointsOfSolid;
 
   /// A child of a quarter: how many quarters further on it is, and its number there.
   struct QuarterChild
@@ -90,18 +90,18 @@ struct PieceLattice
   /// The smallest face that has some corners.
   Mask Close(Mask corners) const;
   /// A place on a lattice of so many divisions as weights of the corners.
-  Weights WeighCorners(const LatticePoint& place, int divisions) const;
+  Weights WeighCorners(const FrameNode& place, int divisions) const;
   /// The point at a place; -1 if there is none.
-  int Find(const LatticePoint& place) const;
+  int Find(const FrameNode& place) const;
   /// Where a point of a child is, on the lattice of the children.
-  LatticePoint GetPlaceInChild(int child, int point) const
+  FrameNode GetPlaceInChild(int child, int point) const
   {
     return this->Children[child].At(this->Places[point], this->Size);
   }
   /// The point of the cell that a point of a child is; -1 if the cell does not have it yet.
   int FindOfChild(int child, int point) const;
   /// Where a point is in a solid of the tet/oct scheme (TetOctPieces).
-  LatticePoint GetPlaceInSolid(int point) const
+  FrameNode GetPlaceInSolid(int point) const
   {
     return this->GetPlaceInQuarter(this->Quarter, point);
   }
@@ -109,7 +109,7 @@ struct PieceLattice
   int GetStep(int point) const;
 
 private:
-  int AddPoint(const LatticePoint& place);
+  int AddPoint(const FrameNode& place);
   void AddPoints(const std::vector<LatticePart>& pieces);
   void AddNeighbours();
   void AddNeighboursInSolids();
@@ -117,7 +117,7 @@ private:
     int step, const std::vector<LatticePart>& parts, const std::vector<LatticePart>& children);
   static PieceLattice Make(int kind);
   void TurnChildren();
-  LatticePoint GetPlaceInQuarter(int quarter, int point) const;
+  FrameNode GetPlaceInQuarter(int quarter, int point) const;
 
   int Quarter = -1;         ///< of an octahedron; -1: it is none
   std::vector<int> Numbers; ///< of the points, by their places

@@ -6,14 +6,10 @@
 #ifndef SubdivisionObjects_TetOctReader_h
 #define SubdivisionObjects_TetOctReader_h
 
-#include "Private/Bounds/TetOctPieces.h"
-#include "Private/Reading/CellReader.h"
+#include "Private/Bounds/PieceLattice.h"
+#include "Private/Roots/SplitRoots.h"
 
 #include <array>
-#include <map>
-#include <vector>
-
-class vtkPointSet;
 
 namespace subdivision
 {
@@ -21,31 +17,30 @@ namespace subdivision
 class TetOctReader
 {
 public:
-  using Place = TetOctPieces::Place;
-
-  /// `fine`: the mesh after so many steps, TetOctPieces::Steps at most.
-  explicit TetOctReader(vtkPointSet* fine, int steps = TetOctPieces::Steps)
-    : Cells(fine)
-    , Steps(steps)
+  /// `fine`: the mesh after so many steps.
+  explicit TetOctReader(vtkPointSet* fine, int steps = PieceLattice::Steps)
+    : Reader(fine)
+    , Size(1 << steps)
+    , Tet(CellShape::Tet, SplitOrder::TetOct, steps)
+    , Octahedron(CellShape::Octahedron, SplitOrder::TetOct, steps)
   {
   }
-  /// `first`: the first of the cells that the solid was split into.
-  void ReadTet(vtkIdType first);
+  struct Solid
+  {
+    const RootLattice* Lattice;
+    vtkIdType First;               ///< of the cells that the solid was split into
+    std::array<FrameNode, 3> Axes; ///< where the axes lead that the octahedron had on its level
+  };
+  Solid GetTet(vtkIdType first) const { return { &this->Tet, first, {} }; }
   /// `vertices`: in the order of TetOctPieces::Join.
-  void ReadOct(vtkIdType first, const std::array<vtkIdType, 6>& vertices);
-  /// A point of the solid that was read last.
-  vtkIdType Get(const Place& place) const { return this->Points.at(place); }
+  Solid GetOct(vtkIdType first, const std::array<vtkIdType, 6>& vertices) const;
+  vtkIdType GetPoint(const Solid& solid, const FrameNode& place) const;
 
 private:
-  using Axes = std::array<Place, 3>; ///< where the axes of TetOctPieces lead
-  static Place Move(const Place& place, const Axes& axes);
-  Axes FindAxes(vtkIdType first, const std::array<vtkIdType, 6>& vertices);
-  void Read(vtkIdType first, bool isOct, const Axes& axes);
-
-  const CellReader Cells;
-  const int Steps;
-  std::vector<vtkIdType> Scratch;
-  std::map<Place, vtkIdType> Points;
+  const LatticeReader Reader;
+  const int Size;
+  const RootLattice Tet;
+  const RootLattice Octahedron;
 };
 
 }

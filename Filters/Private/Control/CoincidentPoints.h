@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_CoincidentPoints_h
 #define SubdivisionObjects_CoincidentPoints_h
 
+#include "Private/Control/TouchingSides.h"
 #include "Private/Run/RunOptions.h"
 #include "Private/Values/MergedValues.h"
 
@@ -35,7 +36,17 @@ struct MergeOptions
   bool KeepsTexture = false;
   /// Whether values are kept as copies of points between which they jump (MaterialFields.h).
   bool HasCopies = false;
+  /// Where not empty, only these points of each mesh become one (JoinSides).
+  std::map<vtkPointSet*, PointPairs> Sides;
+  bool TearsTexture = false; ///< the filter gives both sides their texture coordinates again
 };
+
+/// Finds the sides of meshes that the filter does not join itself; false if there are none. The
+/// options become those for MergeCoincidentPoints: blocks are joined apart, and TearsTexture is
+/// kept for the sides of one closed surface. `sharesRanks`: other ranks may have the rest of an
+/// object, of which a warning tells.
+bool FindSides(vtkDataObject* readable, bool sharesRanks, MergeOptions& options,
+  std::vector<std::string>& warnings);
 
 /**
  * The mesh, or the blocks of a composite data set (ReadableMesh.h), with cells that share points.

@@ -85,6 +85,72 @@ void ForOpenParts(const SimplicialComplex<Id>& complex, const Use& use)
   }
 }
 
+/// The same for cells that are not cut.
+template <typename Id, typename Use>
+void ForOpenParts(const CellComplex<Id>& complex, const Use& use)
+{
+  const auto forLines = [&](const auto& isOpen)
+  {
+    ForEachInTurn(complex.NumberOfEdges,
+      [&](vtkIdType edge)
+      {
+        if (isOpen(static_cast<Id>(edge)))
+        {
+          use(complex.EdgeVertices.data() + 2 * edge, 2, Owner{ 1, edge });
+        }
+      });
+  };
+  if (complex.NumberOfTets > 0)
+  {
+    ForEachInTurn(complex.NumberOfFaces,
+      [&](vtkIdType f)
+      {
+        const Row<Id> solids = complex.FaceSolids[f];
+        if (solids.size() < 2)
+        {
+          const auto face = static_cast<Id>(f);
+          use(complex.GetVertices(face).begin(), complex.GetSize(face),
+            solids.size() == 0 ? Owner{ 2, f } : Owner{ 3, *solids.begin() });
+        }
+      });
+    Buffer<unsigned char> areLines(complex.NumberOfEdges, 0);
+    ForEachInTurn(complex.NumberOfLineCells > 0 ? complex.Cells.GetNumberOfCells() : 0,
+      [&](vtkIdType c)
+      {
+        if (complex.Cells.GetTable(c).Dimension == 1)
+        {
+          areLines[*complex.CellEdges[c].begin()] = 1;
+        }
+      });
+    forLines([&](Id edge) { return areLines[edge] != 0; });
+  }
+  else if (complex.NumberOfFaces > 0)
+  {
+    ForEachInTurn(complex.NumberOfEdges,
+      [&](vtkIdType edge)
+      {
+        const Row<Id> faces = complex.EdgeFaces[edge];
+        if (faces.size() == 1)
+        {
+          use(complex.EdgeVertices.data() + 2 * edge, 2, Owner{ 2, *faces.begin() });
+        }
+      });
+    forLines([&](Id edge) { return complex.EdgeFaces[edge].size() == 0; });
+  }
+  else
+  {
+    ForEachInTurn(complex.NumberOfVertices,
+      [&](vtkIdType vertex)
+      {
+        const Id end = static_cast<Id>(vertex);
+        if (complex.VertexEdges[vertex].size() == 1)
+        {
+          use(&end, 1, Owner{ 0, vertex });
+        }
+      });
+  }
+}
+
 /// The vertices of an owner, an edge or a face.
 template <typename Id>
 struct Part
@@ -116,6 +182,17 @@ Part<Id> GetPart(const PolygonMesh<Id>& mesh, const Owner& owner)
   return owner.Dimension == 2
     ? Part<Id>{ mesh.Vertices.data() + mesh.GetFirst(id), static_cast<int>(mesh.GetSize(id)) }
     : Part<Id>{ mesh.EdgeVertices.data() + 2 * owner.Index, 2 };
+}
+
+template <typename Id>
+Part<Id> GetPart(const CellComplex<Id>& complex, const Owner& owner)
+{
+  const Row<Id> face =
+    owner.Dimension == 2 ? complex.GetVertices(static_cast<Id>(owner.Index)) : Row<Id>();
+  return owner.Dimension == 3
+    ? Part<Id>{ complex.Cells.GetCorners(owner.Index), complex.Cells.GetTable(owner.Index).Corners }
+    : owner.Dimension == 2 ? Part<Id>{ face.begin(), static_cast<int>(face.size()) }
+                           : Part<Id>{ complex.EdgeVertices.data() + 2 * owner.Index, 2 };
 }
 
 template <typename Id, typename Use>
@@ -192,7 +269,7 @@ public:
     {
       return;
     }
-    std::array<vtkIdType, 3> places = { -1, -2, -3 };
+    std::array<vtkIdType, 4> places = { -1, -2, -3, -4 };
     std::transform(vertices, vertices + size, places.begin(),
       [this](Id vertex) { return this->Places[vertex]; });
     std::sort(places.begin(), places.end());
@@ -239,7 +316,7 @@ private:
   vtkIdType Count = 0;
   std::array<vtkIdType, 2> Pair = { -1, -1 };
   double Gap = 0.;                          ///< the largest distance of points at a place
-  std::set<std::array<vtkIdType, 3>> Parts; ///< by their places, until two are equal
+  std::set<std::array<vtkIdType, 4>> Parts; ///< by their places, until two are equal
   bool Joins = false;
 };
 
@@ -396,7 +473,21 @@ std::vector<std::string> DescribeOpenPointsOfSurface(
   return Describe(mesh, false, mesh.NumberOfFaces == 0, coordinates, options);
 }
 
-SUBDIVISION_COMPILE_FUNCTION(DescribeOpenPoints);
+template <typename Id>
+std::vector<std::string> DescribeOpenPoints(
+  const CellComplex<Id>& complex, const Coordinates& coordinates, const OpenPointOptions& options)
+{
+  return Describe(
+    complex, complex.NumberOfTets > 0, complex.NumberOfFaces == 0, coordinates, options);
+}
+
+#define SUBDIVISION_DESCRIBE(Complex)                                                              \
+  template std::vector<std::string> DescribeOpenPoints(                                            \
+    const Complex&, const Coordinates&, const OpenPointOptions&)
+SUBDIVISION_DESCRIBE(SimplicialComplex<int>);
+SUBDIVISION_DESCRIBE(SimplicialComplex<long long>);
+SUBDIVISION_DESCRIBE(CellComplex<int>);
+SUBDIVISION_DESCRIBE(CellComplex<long long>);
 SUBDIVISION_COMPILE_FUNCTION(DescribeOpenPointsOfSurface);
 
 }

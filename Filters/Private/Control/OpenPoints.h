@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_OpenPoints_h
 #define SubdivisionObjects_OpenPoints_h
 
+#include "Core/Cells/CellComplex.h"
 #include "Core/Memory/Coordinates.h"
 #include "Core/Solids/Complex/SimplicialComplex.h"
 #include "Core/Surfaces/Mesh/PolygonMesh.h"
@@ -24,7 +25,7 @@ struct OpenPointOptions
   bool ClosesNodes = false;  ///< nor of those that hang
   /// The cure where points are at one place, as the end of a text; empty: MergePoints.
   std::string Cure;
-  /// The input cell of a simplex: a tetrahedron (3), a face (2) or an edge (1) of the complex.
+  /// The input cell of a solid (3), a face (2) or an edge (1) of the complex.
   std::function<vtkIdType(int, vtkIdType)> FindCell;
 };
 
@@ -35,7 +36,7 @@ struct OpenPointOptions
  * would be joined: parts that touch at a point only, and cells without a size, are no reason to
  * warn.
  *
- * Only open parts of the border can be joined: faces of one tetrahedron, edges of one triangle,
+ * Only open parts of the border can be joined: faces of one solid, edges of one face,
  * ends of lines; beside tetrahedra, all triangles and lines that are no part of them. They may hang
  * on each other, on surfaces on any face. Other points, most of a solid, need no search. Takes a
  * step for each face or edge, and n log n for n open points; some 100 bytes for each of these.
@@ -43,6 +44,9 @@ struct OpenPointOptions
 template <typename Id>
 std::vector<std::string> DescribeOpenPoints(const SimplicialComplex<Id>& complex,
   const Coordinates& coordinates, const OpenPointOptions& options);
+template <typename Id>
+std::vector<std::string> DescribeOpenPoints(
+  const CellComplex<Id>& complex, const Coordinates& coordinates, const OpenPointOptions& options);
 template <typename Id>
 std::vector<std::string> DescribeOpenPointsOfSurface(
   const PolygonMesh<Id>& mesh, const Coordinates& coordinates, const OpenPointOptions& options);

@@ -35,15 +35,17 @@ enum class StampScheme
   RedGreen = 1,
   TetOct = 2,
   Linear = 3,
+  Hybrid = 4,
   /// A surface of which several partitions have parts: this plus the number of its scheme.
   FirstOfSurfaces = 100
 };
 
-/// The scheme that a value of VolumeScheme means, which is the same in all filters that have one.
+/// The scheme of cut cells that a value of VolumeScheme means, which is the same in all filters
+/// that have one: Hybrid and Automatic cut them for the box spline, where they cut any.
 inline StampScheme GetVolumeScheme(int value)
 {
   constexpr StampScheme schemes[] = { StampScheme::BoxSpline, StampScheme::TetOct,
-    StampScheme::Linear };
+    StampScheme::Linear, StampScheme::BoxSpline, StampScheme::BoxSpline };
   return schemes[value];
 }
 
@@ -70,6 +72,9 @@ constexpr int ControlPointComponents = 6;
 constexpr const char* ControlCreasesName = "SubdivisionControlCreases";
 constexpr int CreaseComponents = 3;
 
+/// A number of points or cells that no mesh has.
+constexpr vtkIdType UnknownNumber = -1;
+
 struct Stamp
 {
   StampScheme Scheme = StampScheme::BoxSpline;
@@ -78,7 +83,8 @@ struct Stamp
   /// Whether points are on the limit. Then no filter may take them for points of a level.
   bool IsProjected = false;
   bool TetOrderIsFinal = true; ///< if false, only of tetrahedra which a filter made
-  /// How many points and cells the whole output has, of which this is a part; 0: it is the whole.
+  /// How many points and cells the whole output has, of which this is a part; 0: it is the whole,
+  /// UnknownNumber: no filter can go on with the parts.
   /// Other numbers and field arrays of the stamp then count in the whole, too.
   vtkIdType NumberOfPoints = 0;
   vtkIdType NumberOfCells = 0;

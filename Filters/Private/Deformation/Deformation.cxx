@@ -11,8 +11,6 @@
 #include "vtkPoints.h"
 
 #include <cmath>
-#include <limits>
-#include <new>
 
 namespace subdivision
 {

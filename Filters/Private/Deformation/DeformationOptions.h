@@ -24,6 +24,7 @@ struct DeformationOptions : RunOptions
 {
   int Levels = 2;
   StampScheme Scheme = StampScheme::BoxSpline;               ///< of solids
+  bool KeepsCellTypes = false;                               ///< no cell is cut; Scheme is not read
   SurfaceSchemeKind SurfaceScheme = SurfaceSchemeKind::Loop; ///< of meshes without solids
   OutsideRule Outside = OutsideRule::Leave;
   bool TransformVectors = true;

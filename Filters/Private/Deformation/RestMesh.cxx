@@ -5,9 +5,11 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Reading/CellReader.h"
+#include "Private/Reading/CellsToSimplices.h"
 #include "Private/Reading/SolidOrientation.h"
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Surface/SurfaceSubdivision.h"
+#include "Private/Uniform/OperatorCache.h"
 #include "Private/Uniform/UniformSubdivision.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
@@ -23,7 +25,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cmath>
 #include <limits>
 
 namespace subdivision
@@ -135,6 +136,7 @@ std::vector<double> ListChoices(vtkPointSet* control, const DeformationOptions& 
   choices.push_back(features.FeatureAngle);
   choices.push_back(options.Levels);
   choices.push_back(static_cast<double>(options.Scheme));
+  choices.push_back(options.KeepsCellTypes ? 1. : 0.);
   choices.push_back(static_cast<double>(options.SurfaceScheme));
   choices.push_back(static_cast<double>(options.MaximumNumberOfCells));
   for (vtkDataArray* array : { features.Singular.Get(), features.Material.Get(),
@@ -177,6 +179,43 @@ Buffer<int> GatherCorners(const UniformCells& made, bool tets)
       }
     });
   return ids;
+}
+
+bool CopiesAll(const MatrixFactors::Matrix& factor)
+{
+  bool copies = factor.GetNumberOfRows() == factor.GetNumberOfColumns() &&
+    factor.Columns.size() == factor.GetNumberOfRows();
+  for (vtkIdType i = 0; copies && i < factor.Columns.size(); ++i)
+  {
+    copies = factor.Offsets[i] == i && factor.Columns[i] == i && factor.Weights[i] == 1.;
+  }
+  return copies;
+}
+
+/// The factors but those that only copy, which there are where no cell needs a centre.
+std::vector<SparseRows<int>> Narrow(const MatrixFactors& factors)
+{
+  std::vector<SparseRows<int>> rows;
+  for (const MatrixFactors::Matrix& factor : factors.Get())
+  {
+    if (CopiesAll(factor))
+    {
+      continue;
+    }
+    SparseRows<int> narrow;
+    narrow.NumberOfColumns = factor.NumberOfColumns;
+    const auto copy = [](const Buffer<long long>& from, Buffer<int>& to)
+    {
+      to = Buffer<int>(from.size());
+      ForEach(from.size(), [&](vtkIdType i) { to[i] = static_cast<int>(from[i]); });
+    };
+    copy(factor.Offsets, narrow.Offsets);
+    copy(factor.Columns, narrow.Columns);
+    narrow.Weights = Buffer<double>(factor.Weights.size());
+    CopyInThreads(factor.Weights.data(), factor.Weights.size(), narrow.Weights.data());
+    rows.push_back(std::move(narrow));
+  }
+  return rows;
 }
 
 }
@@ -258,9 +297,10 @@ bool RestMesh::Build(vtkPointSet* control, const DeformationOptions& options)
   run.GenerateOriginalIds = false;
   run.Progress = nullptr;
   run.Warn = [&](const std::string& message) { options.Warn("Rest mesh: " + message); };
-  const bool isBuilt = options.SurfaceScheme == SurfaceSchemeKind::Loop
-    ? this->BuildUniform(control, run, options)
-    : this->BuildSurface(control, run, options);
+  const bool isBuilt = options.SurfaceScheme != SurfaceSchemeKind::Loop
+    ? this->BuildSurface(control, run, options)
+    : options.KeepsCellTypes ? this->BuildHybrid(control, run, options)
+                             : this->BuildUniform(control, run, options);
   if (isBuilt)
   {
     this->ControlPoints = this->MoveControlPoints(control);
@@ -293,6 +333,66 @@ bool RestMesh::BuildUniform(
     this->Tets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
   }
   return true;
+}
+
+/// Subdivides any mesh without cuts. The cells of the last level hold points as tetrahedra that fit
+/// together.
+bool RestMesh::BuildHybrid(
+  vtkPointSet* control, const RunOptions& run, const DeformationOptions& options)
+{
+  UniformOptions uniform;
+  static_cast<RunOptions&>(uniform) = run;
+  MatrixFactors factors;
+  uniform.Levels = options.Levels;
+  uniform.KeepCellTypes = true;
+  uniform.Factors = &factors;
+  vtkNew<vtkUnstructuredGrid> made;
+  if (!SubdivideUniformly(control, uniform, made))
+  {
+    return false;
+  }
+  const std::vector<vtkIdType> ids =
+    ReadIdsOf(control->GetPointData(), control->GetNumberOfPoints());
+  this->Control = CellsToSimplices(control, ids.empty() ? nullptr : ids.data());
+  const SimplicesOfCells cells = CellsToSimplices(made, nullptr);
+  AppendCentres(cells, factors);
+  this->Points = StartValues(made->GetPoints()->GetData(), VTK_DOUBLE, cells);
+  const auto isLarge = [](vtkIdType size) { return size > std::numeric_limits<int>::max(); };
+  this->TooLarge = isLarge(cells.Simplices.GetNumberOfSimplices());
+  for (const MatrixFactors::Matrix& factor : factors.Get())
+  {
+    this->TooLarge = this->TooLarge || isLarge(factor.Columns.size());
+  }
+  if (!this->TooLarge)
+  {
+    std::vector<SparseRows<int>> rows = Narrow(factors);
+    this->Steps = rows.empty() ? nullptr : std::make_unique<StoredSequence>(std::move(rows));
+    this->TakeCells(cells);
+  }
+  return true;
+}
+
+void RestMesh::TakeCells(const SimplicesOfCells& cells)
+{
+  vtkIdType counts[2] = { 0, 0 };
+  for (const unsigned char dimension : InTurn(cells.Simplices.Dimensions))
+  {
+    ++counts[dimension == 3 ? 1 : 0];
+  }
+  this->OtherCorners = Buffer<int>(3 * counts[0]);
+  this->TetCorners = Buffer<int>(4 * counts[1]);
+  int* to[2] = { this->OtherCorners.data(), this->TetCorners.data() };
+  const vtkIdType* corners = cells.Simplices.Connectivity.data();
+  for (const unsigned char dimension : InTurn(cells.Simplices.Dimensions))
+  {
+    int*& place = to[dimension == 3 ? 1 : 0];
+    for (int i = 0; i < (dimension == 3 ? 4 : 3); ++i)
+    {
+      *place++ = static_cast<int>(corners[std::min<int>(i, dimension)]);
+    }
+    corners += dimension + 1;
+  }
+  this->Tets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
 }
 
 /// Subdivides a mesh without solids by a surface scheme.

@@ -73,6 +73,8 @@ public:
 private:
   bool Build(vtkPointSet* control, const DeformationOptions& options);
   bool BuildUniform(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
+  bool BuildHybrid(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
+  void TakeCells(const SimplicesOfCells& cells);
   bool BuildSurface(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
 
   vtkSmartPointer<vtkPointSet> Kept; ///< a copy of all that the operators depend on

@@ -17,7 +17,6 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <numeric>
 #include <set>
 #include <sstream>
 #include <tuple>

@@ -110,9 +110,93 @@ public:
 
 private:
   /// Returns whether an earlier filter made the parts, so that this one may go on.
-  bool PrepareParts();
+  bool PrepareParts()
+  {
+    const bool keepsOwn = this->Distribution.KeepsOwnValues;
+    const int layers = this->Distribution.Layers + this->Distribution.GhostLayers;
+    if (this->IsPartial)
+    {
+      const std::string uneven = CheckLoad(this->Parts, this->All);
+      if (!uneven.empty() && this->All.GetPartition() == 0)
+      {
+        this->Options.Warn(uneven);
+      }
+      if (this->Kept.Restore(this->Parts, layers, keepsOwn, this->All))
+      {
+        std::vector<std::string> warnings = this->Kept.GetWarnings();
+        Tell(warnings, this->Options);
+        return this->Kept.AreStamped();
+      }
+    }
+    std::vector<std::string> warnings;
+    const bool areStamped = TakeStampedNumbers(this->Parts, this->All);
+    bool haveSeveralPlaces = false;
+    if (!areStamped)
+    {
+      haveSeveralPlaces = IdentifyPoints(
+        this->Parts, this->All, [&](const std::string& message) { warnings.push_back(message); },
+        keepsOwn);
+    }
+    else if (keepsOwn)
+    {
+      TakeCopiedPoints(this->Parts);
+    }
+    if (this->IsPartial)
+    {
+      SentLayers sent = AddLayers(this->Parts, layers, this->All);
+      ShareArrays(this->Parts, this->All);
+      this->Kept.Keep(this->Parts, std::move(sent), areStamped, haveSeveralPlaces, warnings);
+    }
+    Tell(warnings, this->Options);
+    return areStamped;
+  }
   /// Runs the filter on the joined parts, and fills the outputs of the blocks.
-  bool WorkOnParts(const FilterWork& work);
+  bool WorkOnParts(const FilterWork& work)
+  {
+    const bool keepsOwn = this->Distribution.KeepsOwnValues;
+    JoinedMesh joined = Join(this->Parts, this->PointType, keepsOwn || this->HaveOwn);
+    AddPointBlocks(this->Parts, joined);
+    if (!RestoreStamp(this->Parts, this->AreStamped, this->IsPartial, joined))
+    {
+      this->Options.Warn(
+        "Earlier filters made the blocks or partitions of the input, but not all of them in one "
+        "run, or cells keep their types on several ranks, or something is missing. This filter "
+        "takes them as any other mesh: results are not those of one filter with all levels. Use "
+        "one filter with more levels, or switch JoinBlocks off, and each block goes on by itself.");
+    }
+    if (keepsOwn || this->HaveOwn)
+    {
+      KeepOwnValues(this->Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
+    }
+    if (this->Distribution.Change)
+    {
+      joined.Mesh = this->Distribution.Change(joined.Mesh);
+    }
+    this->Parts.clear();
+    if (this->IsPartial)
+    {
+      this->Others.Start(joined, this->Kept.GetSent().OfFirst);
+      this->BeginTurn();
+    }
+    const auto whole = MakeMesh(this->Distribution.IsOfSurfaces);
+    if (!work(joined.Mesh, whole))
+    {
+      return false;
+    }
+    joined.Mesh = nullptr;
+    OutputOptions output;
+    output.OwnPrecision = this->Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
+    output.GhostLayers = this->Distribution.GhostLayers;
+    if (this->HaveOwn)
+    {
+      whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
+    }
+    // A filter that cannot number its output of a part says why.
+    output.GlobalIds = this->Options.GenerateGlobalIds &&
+      (!this->IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
+    TakeOutputs(joined, whole, output, this->Blocks);
+    return true;
+  }
 
   std::vector<Block>& Blocks;
   KeptPartition& Kept;
@@ -126,94 +210,6 @@ private:
   bool AreStamped = false; ///< an earlier filter made the parts, and this one may go on
   bool HaveOwn = false;    ///< values of blocks differ, and the work reads OwnBlockName
 };
-
-bool PartitionRun::PrepareParts()
-{
-  const bool keepsOwn = this->Distribution.KeepsOwnValues;
-  const int layers = this->Distribution.Layers + this->Distribution.GhostLayers;
-  if (this->IsPartial)
-  {
-    const std::string uneven = CheckLoad(this->Parts, this->All);
-    if (!uneven.empty() && this->All.GetPartition() == 0)
-    {
-      this->Options.Warn(uneven);
-    }
-    if (this->Kept.Restore(this->Parts, layers, keepsOwn, this->All))
-    {
-      std::vector<std::string> warnings = this->Kept.GetWarnings();
-      Tell(warnings, this->Options);
-      return this->Kept.AreStamped();
-    }
-  }
-  std::vector<std::string> warnings;
-  const bool areStamped = TakeStampedNumbers(this->Parts, this->All);
-  bool haveSeveralPlaces = false;
-  if (!areStamped)
-  {
-    haveSeveralPlaces = IdentifyPoints(
-      this->Parts, this->All, [&](const std::string& message) { warnings.push_back(message); },
-      keepsOwn);
-  }
-  else if (keepsOwn)
-  {
-    TakeCopiedPoints(this->Parts);
-  }
-  if (this->IsPartial)
-  {
-    SentLayers sent = AddLayers(this->Parts, layers, this->All);
-    ShareArrays(this->Parts, this->All);
-    this->Kept.Keep(this->Parts, std::move(sent), areStamped, haveSeveralPlaces, warnings);
-  }
-  Tell(warnings, this->Options);
-  return areStamped;
-}
-
-bool PartitionRun::WorkOnParts(const FilterWork& work)
-{
-  const bool keepsOwn = this->Distribution.KeepsOwnValues;
-  JoinedMesh joined = Join(this->Parts, this->PointType, keepsOwn || this->HaveOwn);
-  AddPointBlocks(this->Parts, joined);
-  if (!RestoreStamp(this->Parts, this->AreStamped, this->IsPartial, joined))
-  {
-    this->Options.Warn(
-      "Earlier filters made the blocks or partitions of the input, but not all of them in one run, "
-      "or something is missing. This filter takes them as any other mesh: results are not those of "
-      "one filter with all levels. Use one filter with more levels, or switch JoinBlocks off, and "
-      "each block goes on by itself.");
-  }
-  if (keepsOwn || this->HaveOwn)
-  {
-    KeepOwnValues(this->Parts, joined, keepsOwn ? OwnValues::OfAll : OwnValues::OfBlocks);
-  }
-  if (this->Distribution.Change)
-  {
-    joined.Mesh = this->Distribution.Change(joined.Mesh);
-  }
-  this->Parts.clear();
-  if (this->IsPartial)
-  {
-    this->Others.Start(joined, this->Kept.GetSent().OfFirst);
-    this->BeginTurn();
-  }
-  const auto whole = MakeMesh(this->Distribution.IsOfSurfaces);
-  if (!work(joined.Mesh, whole))
-  {
-    return false;
-  }
-  joined.Mesh = nullptr;
-  OutputOptions output;
-  output.OwnPrecision = this->Options.OutputPointsPrecision == vtkAlgorithm::DEFAULT_PRECISION;
-  output.GhostLayers = this->Distribution.GhostLayers;
-  if (this->HaveOwn)
-  {
-    whole->GetPointData()->RemoveArray(MaterialPointIdsName); // blocks are not torn
-  }
-  // A filter that cannot number its output of a part says why.
-  output.GlobalIds = this->Options.GenerateGlobalIds &&
-    (!this->IsPartial || whole->GetPointData()->HasArray(PointNumbersName));
-  TakeOutputs(joined, whole, output, this->Blocks);
-  return true;
-}
 
 }
 

@@ -14,7 +14,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace subdivision
 {

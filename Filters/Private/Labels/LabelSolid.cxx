@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Labels/CellMeasures.h"
 #include "Private/Labels/LabelImage.h"
 #include "Private/Labels/LabelNet.h"
 #include "Private/Labels/LabelPieces.h"
@@ -18,7 +19,6 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -100,9 +100,11 @@ bool LabelSolid::HasMemory() const
   constexpr double bytesPerCell = 300.;
   const double voxels = static_cast<double>(this->Options.Labels->GetNumberOfTuples());
   const double cells = static_cast<double>(this->Coarse.NumberOfMaterialVoxels);
-  const double tets = cells * TetsOfCube * std::ldexp(1., 3 * this->Options.Levels);
+  const bool hexahedra = this->Options.Hexahedra;
+  const double boxes = cells * std::ldexp(1., 3 * this->Options.Levels); // about one point for each
+  const double made = boxes * (hexahedra ? 1. : TetsOfCube);
   const std::string tooMany =
-    CheckMemory(tets, tets / TetsOfCube, 41. * tets, this->Options.Levels);
+    CheckMemory(made, boxes, (hexahedra ? 73. : 41.) * made, this->Options.Levels);
   if (!tooMany.empty())
   {
     this->Options.Fail(tooMany + " Or make NumberOfControlCells smaller.");
@@ -299,29 +301,20 @@ LabelSolid::Measures LabelSolid::Measure(
 {
   Measures found;
   found.Volumes.assign(this->Wanted.size(), 0.);
-  const double least = ThinnestTet / TetsOfCube / std::ldexp(1., 3 * this->Options.Levels);
+  const double allowed = ThinnestTet / TetsOfCube / std::ldexp(1., 3 * this->Options.Levels);
   auto* origins =
     vtkIdTypeArray::SafeDownCast(solid->GetCellData()->GetArray("vtkOriginalCellIds"));
-  for (const vtkIdType tet : InTurn(solid->GetNumberOfCells()))
+  for (const vtkIdType i : InTurn(solid->GetNumberOfCells()))
   {
     vtkIdType size;
     const vtkIdType* corners;
-    solid->GetCellPoints(tet, size, corners);
-    double at[4][3];
-    for (int c = 0; c < 4; ++c)
-    {
-      solid->GetPoint(corners[c], at[c]);
-    }
-    double edges[3][3];
-    for (int c = 0; c < 3; ++c)
-    {
-      vtkMath::Subtract(at[c + 1], at[0], edges[c]);
-    }
-    const double volume = vtkMath::Determinant3x3(edges) / 6. / voxel;
-    const vtkIdType cell = origins->GetValue(tet);
-    found.Volumes[net.GetCellLabels()[cell]] += volume;
-    found.NumberOfInverted += volume > 0. ? 0 : 1; // also if it is not a number
-    if (volume < least * this->Shares[cell] && (found.Thin.empty() || found.Thin.back() != cell))
+    solid->GetCellPoints(i, size, corners);
+    const CellMeasures measures = MeasureCell(solid, corners, size);
+    const double least = measures.Least / voxel;
+    const vtkIdType cell = origins ? origins->GetValue(i) : i;
+    found.Volumes[net.GetCellLabels()[cell]] += measures.Volume / voxel;
+    found.NumberOfInverted += least > 0. && measures.Volume > 0. ? 0 : 1; // also if it is no number
+    if (least < allowed * this->Shares[cell] && (found.Thin.empty() || found.Thin.back() != cell))
     {
       found.Thin.push_back(cell);
     }
@@ -346,7 +339,7 @@ void LabelSolid::WarnOf(const Measures& found) const
   if (found.NumberOfInverted > 0)
   {
     this->Options.Warn(std::to_string(found.NumberOfInverted) +
-      " tetrahedra are inverted or flat. Make MaximumDisplacement smaller.");
+      " cells are inverted or flat. Make MaximumDisplacement smaller.");
   }
   int count = 0;
   std::string first;
@@ -410,7 +403,7 @@ vtkUnstructuredGrid* LabelSolid::Solve(
     if ((isHeld && found.Thin.empty()) || round == MostRounds)
     {
       this->WarnOf(found);
-      return solid;
+      return this->Options.Curve ? this->Options.Curve(grid, creases) : solid;
     }
     before = error;
     net.Stiffen(found.Thin);

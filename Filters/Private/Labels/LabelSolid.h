@@ -37,11 +37,14 @@ struct LabelSolidOptions : RunOptions
   int SmoothingSteps = 0;
   double LargestMove = 0.; ///< in control voxels
   int Levels = 0;
+  bool Hexahedra = false;            ///< what Subdivide makes; false: tetrahedra
   vtkFieldData* Materials = nullptr; ///< a table; null: there is none
   /// Makes the limit that passes through the points of a grid of hexahedra, with interfaces between
-  /// labels, creases at lines between points of the grid, and original ids. Returns null after an
-  /// error or a stop.
+  /// labels, creases at lines between points of the grid, and original ids, unless all cells are
+  /// those of the grid. Returns null after an error or a stop.
   std::function<vtkUnstructuredGrid*(vtkUnstructuredGrid*, vtkPolyData*)> Subdivide;
+  /// The same with curved cells, once, when the solid is good; empty: they stay linear.
+  std::function<vtkUnstructuredGrid*(vtkUnstructuredGrid*, vtkPolyData*)> Curve;
 };
 
 /// The name of the output's labels.

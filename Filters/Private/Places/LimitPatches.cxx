@@ -357,7 +357,7 @@ void LimitPatches::TakeValues(vtkIdType number, const Lattice& values)
   if (!patch.IsKnown)
   {
     patch.IsKnown = true;
-    for (const LatticePoint& node : shape.Of.Nodes)
+    for (const FrameNode& node : shape.Of.Nodes)
     {
       patch.Nodes.push_back(at(2 * node[0], 2 * node[1]));
     }
@@ -399,15 +399,13 @@ void LimitPatches::AddChildren(vtkIdType number, const Lattice& values)
     child.Margin = error;
     child.IsKnown = true;
     const PatchFrame& frame = this->Patches[number].Frame;
-    const auto place = [&](const LatticePoint& point) // on the lattice of two divisions
+    const auto place = [&](const FrameNode& point) // on the lattice of two divisions
     { return TakePlace(frame, 0.5 * point[0], 0.5 * point[1]); };
-    const LatticePoint& origin = part.Origin;
+    const FrameNode& origin = part.Origin;
     const auto end = [&](int axis)
-    {
-      return LatticePoint{ { origin[0] + part.Axes[axis][0], origin[1] + part.Axes[axis][1], 0 } };
-    };
+    { return FrameNode{ { origin[0] + part.Axes[axis][0], origin[1] + part.Axes[axis][1], 0 } }; };
     child.Frame = { { place(origin), place(end(0)), place(end(1)) } };
-    for (const LatticePoint& node : shape.Of.Nodes)
+    for (const FrameNode& node : shape.Of.Nodes)
     {
       const int i = 4 * origin[0] + node[0] * part.Axes[0][0] + node[1] * part.Axes[1][0];
       const int j = 4 * origin[1] + node[0] * part.Axes[0][1] + node[1] * part.Axes[1][1];

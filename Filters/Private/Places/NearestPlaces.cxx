@@ -9,7 +9,6 @@
 #include "Private/Places/SolidPieces.h"
 #include "Private/Run/RunOptions.h"
 
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -19,7 +18,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numeric>
 
 namespace subdivision
@@ -339,15 +337,10 @@ private:
 
 }
 
-std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataSet* fine,
-  int levels, const std::vector<Vector>& points, const EvaluatePlaces& evaluate)
+std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, const SolidPieces* solids,
+  const std::vector<Vector>& points, const EvaluatePlaces& evaluate)
 {
-  std::unique_ptr<SolidPieces> solids;
-  if (fine)
-  {
-    solids = std::make_unique<SolidPieces>(cells, fine, levels);
-  }
-  return Finder(cells, points, evaluate).Find(solids.get());
+  return Finder(cells, points, evaluate).Find(solids);
 }
 
 bool CheckNearestPlaces(const std::vector<NearestPlace>& places, bool hasCells,

@@ -21,12 +21,12 @@
 #include <string>
 #include <vector>
 
-class vtkDataSet;
 class vtkPolyData;
 
 namespace subdivision
 {
 
+class SolidPieces;
 struct RunOptions;
 
 /// Where places are searched: a view of simplices, or of quads instead of triangles.
@@ -36,6 +36,7 @@ struct SearchedCells
   const std::vector<unsigned char>& Dimensions;
   const std::vector<vtkIdType>& Connectivity; ///< of one cell after the other
   bool HasQuads;
+  bool LacksSecond = false; ///< second derivatives may be 0 where they are not known
 
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Dimensions.size()); }
   bool IsQuad(vtkIdType cell) const { return this->HasQuads && this->Dimensions[cell] == 2; }
@@ -60,11 +61,10 @@ using PlaceValues = std::vector<std::array<std::array<double, 3>, PlaceParts::Co
 using EvaluatePlaces =
   std::function<PlaceValues(const std::vector<NearestPlace>& places, bool valuesOnly)>;
 
-/// The triangles on the boundary of solids are among `cells`, too. `fine`, null where there are no
-/// solids: the first cells after `levels` steps, projected to the limit; each cell in as many
-/// pieces as a step makes, one cell after the other. Points that are not finite get no cell.
-std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, vtkDataSet* fine,
-  int levels, const std::vector<std::array<double, 3>>& points, const EvaluatePlaces& evaluate);
+/// The triangles on the boundary of solids are among `cells`, too. `solids`: null where there are
+/// none. Points that are not finite get no cell.
+std::vector<NearestPlace> FindNearestPlaces(const SearchedCells& cells, const SolidPieces* solids,
+  const std::vector<std::array<double, 3>>& points, const EvaluatePlaces& evaluate);
 
 /// Lists points that have no place, and warns of them. Returns false after an error, if there are
 /// no cells.

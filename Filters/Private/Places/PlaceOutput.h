@@ -36,6 +36,12 @@ struct PlaceRequest
   vtkPolyData* Output = nullptr;
   /// If not null, places are the ones nearest to its points, and the arrays above are not read.
   vtkDataSet* Targets = nullptr;
+  bool HasDerivatives = true; ///< whether there are arrays of derivatives, normals and curvatures
+
+  PlaceDerivatives GetDerivatives() const
+  {
+    return this->HasDerivatives ? PlaceDerivatives::Second : PlaceDerivatives::None;
+  }
 };
 
 /// The error message if not each place has one cell and three parameters; else empty.

@@ -261,7 +261,14 @@ Matrix ReadBends(const PlaceValue& parts, const Vector& rest)
     { { mixed, Dot(parts[PlaceParts::SecondOfSecond], rest), 0. } }, { { 0., 0., 0. } } } };
 }
 
-/// Learns the same in a solid from the slopes at the best place and at one beside it.
+bool HasNoSecond(const PlaceValue& parts)
+{
+  const auto isZero = [&parts](int part) { return parts[part] == Vector{}; };
+  return isZero(PlaceParts::Second) && isZero(PlaceParts::Mixed) &&
+    isZero(PlaceParts::SecondOfSecond);
+}
+
+/// Learns the same where it is not known from the slopes at the best place and at one beside it.
 void LearnBends(PlaceSearch& search, const PlaceValue& value, const Vector& rest)
 {
   constexpr double least = 1e-8; // the sine of an angle beyond which rounding is divided by little
@@ -337,9 +344,11 @@ void AdvanceSearch(
     (search.Place.Distance + std::abs(target[0]) + std::abs(target[1]) + std::abs(target[2]));
   const bool isFirst = search.Best.Cell < 0;
   const bool isWorse = search.Place.Distance > search.Best.Distance + rounding;
+  const auto learnsAt = [&](const PlaceValue& at)
+  { return isSolid || (cells.LacksSecond && HasNoSecond(at)); };
   if (!isFirst)
   {
-    if (isSolid)
+    if (learnsAt(value))
     {
       LearnBends(search, value, rest);
     }
@@ -356,7 +365,8 @@ void AdvanceSearch(
     search.AtBest = value;
   }
   const PlaceValue& parts = search.AtBest;
-  const Slope slope{ parts, rest, isSolid ? search.Bends : ReadBends(parts, rest), search.Damping };
+  const Slope slope{ parts, rest, learnsAt(parts) ? search.Bends : ReadBends(parts, rest),
+    search.Damping };
   Advance(search, cells.IsQuad(cell), cells.Dimensions[cell], slope);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Places/SolidPieces.h"
 
+#include "Core/Memory/Loops.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 
 #include "vtkCellType.h"
@@ -9,6 +10,9 @@
 #include "vtkNew.h"
 
 #include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
 
 namespace subdivision
 {
@@ -36,16 +40,13 @@ std::array<double, 4> LeavePartOfSimplex(
 }
 
 SolidPieces::SolidPieces(const SearchedCells& cells, vtkDataSet* fine, int levels)
-  : Levels(levels)
-  , Firsts(cells.GetNumberOfCells() + 1)
-  , Points(3 * fine->GetNumberOfPoints())
 {
+  const auto firsts = std::make_shared<Buffer<vtkIdType>>(cells.GetNumberOfCells() + 1);
   ForEach(cells.GetNumberOfCells(),
-    [&](vtkIdType c) { this->Firsts[c] = vtkIdType(1) << (levels * cells.Dimensions[c]); });
-  CountsToOffsets(this->Firsts);
-  ForEachInTurn(fine->GetNumberOfPoints(),
-    [&](vtkIdType i) { fine->GetPoint(i, this->Points.data() + 3 * i); });
+    [&](vtkIdType c) { (*firsts)[c] = vtkIdType(1) << (levels * cells.Dimensions[c]); });
+  CountsToOffsets(*firsts);
   std::vector<int> corners;
+  const auto numbers = std::make_shared<std::vector<vtkIdType>>();
   vtkNew<vtkIdList> ids;
   ForEachInTurn(fine->GetNumberOfCells(),
     [&](vtkIdType c)
@@ -53,17 +54,39 @@ SolidPieces::SolidPieces(const SearchedCells& cells, vtkDataSet* fine, int level
       if (fine->GetCellType(c) == VTK_TETRA)
       {
         fine->GetCellPoints(c, ids);
-        for (vtkIdType k = 0; k < 4; ++k)
-        {
-          corners.push_back(static_cast<int>(ids->GetId(k)));
-          this->All.Add(this->Points.data() + 3 * ids->GetId(k));
-        }
-        this->Numbers.push_back(c);
+        std::transform(ids->begin(), ids->end(), std::back_inserter(corners),
+          [](vtkIdType id) { return static_cast<int>(id); });
+        numbers->push_back(c);
       }
     });
+  this->Locate = [firsts, numbers, levels](
+                   vtkIdType piece, const std::array<double, 4>& weights, NearestPlace& start)
+  {
+    const vtkIdType number = (*numbers)[piece];
+    start.Cell = std::upper_bound(firsts->begin(), firsts->end(), number) - firsts->begin() - 1;
+    start.Weights = LeavePartOfSimplex(3, levels, number - (*firsts)[start.Cell], weights);
+  };
+  this->Build(fine, corners);
+}
+
+SolidPieces::SolidPieces(vtkDataSet* fine, const std::vector<int>& corners, LocateInPiece locate)
+  : Locate(std::move(locate))
+{
+  this->Build(fine, corners);
+}
+
+void SolidPieces::Build(vtkDataSet* fine, const std::vector<int>& corners)
+{
+  this->Points = Buffer<double>(3 * fine->GetNumberOfPoints());
+  ForEachInTurn(fine->GetNumberOfPoints(),
+    [&](vtkIdType i) { fine->GetPoint(i, this->Points.data() + 3 * i); });
   this->Corners = Buffer<int>(static_cast<vtkIdType>(corners.size()));
   std::copy(corners.begin(), corners.end(), this->Corners.begin());
-  if (!this->Numbers.empty())
+  for (const int corner : InTurn(corners))
+  {
+    this->All.Add(this->Points.data() + 3 * vtkIdType(corner));
+  }
+  if (!corners.empty())
   {
     this->Tree = SimplexTree(this->Points.data(), 4, this->Corners);
   }
@@ -85,15 +108,12 @@ bool SolidPieces::Find(const std::array<double, 3>& x, bool isBeside, NearestPla
   {
     return false;
   }
-  const vtkIdType number = this->Numbers[found.Simplex];
-  start.Cell =
-    std::upper_bound(this->Firsts.begin(), this->Firsts.end(), number) - this->Firsts.begin() - 1;
   std::array<double, 4> weights{};
   for (int i = 0; i < 4; ++i)
   {
     weights[i] = found.Weights[i] + 0.1 * (0.25 - found.Weights[i]); // inside of the piece
   }
-  start.Weights = LeavePartOfSimplex(3, this->Levels, number - this->Firsts[start.Cell], weights);
+  this->Locate(found.Simplex, weights, start);
   return true;
 }
 

@@ -13,7 +13,10 @@
 #include "Private/Places/NearestPlaces.h"
 
 #include <array>
+#include <functional>
 #include <vector>
+
+class vtkDataSet;
 
 namespace subdivision
 {
@@ -26,19 +29,27 @@ std::array<double, 4> LeavePartOfSimplex(
 class SolidPieces
 {
 public:
-  /// As FindNearestPlaces.
+  /// Sets where a place in a piece is, by the weights of its corners.
+  using LocateInPiece =
+    std::function<void(vtkIdType piece, const std::array<double, 4>& weights, NearestPlace& start)>;
+
+  /// The pieces of simplices: the first cells of `fine`, after `levels` steps, projected to the
+  /// limit; each in as many pieces as a step makes, one cell after the other. `cells` must outlive
+  /// this.
   SolidPieces(const SearchedCells& cells, vtkDataSet* fine, int levels);
+  /// Any pieces, each with the numbers of four points.
+  SolidPieces(vtkDataSet* fine, const std::vector<int>& corners, LocateInPiece locate);
 
   /// Sets the place at which the search for a point begins. False: it lies in no piece, unless
   /// `isBeside`: then that is the nearest piece. Several threads may ask.
   bool Find(const std::array<double, 3>& x, bool isBeside, NearestPlace& start) const;
 
 private:
-  const int Levels;
-  Buffer<vtkIdType> Firsts; ///< the number of the first piece of each cell
-  Buffer<double> Points;    ///< of the fine level
-  Buffer<int> Corners;      ///< of pieces of solids
-  std::vector<vtkIdType> Numbers;
+  void Build(vtkDataSet* fine, const std::vector<int>& corners);
+
+  LocateInPiece Locate;
+  Buffer<double> Points; ///< of the fine level
+  Buffer<int> Corners;   ///< of pieces of solids
   SimplexTree Tree;
   Box All;
 };

@@ -287,27 +287,9 @@ private:
   std::vector<vtkIdType> Scratch;
 };
 
-struct Tally
+std::string DescribeUnsupported(const CellTally& tally, const CellReader& cells)
 {
-  vtkIdType Count = 0;
-  vtkIdType First = -1;
-};
-
-/// "3 cells (the first is cell 12, type 24, vtkQuadraticTetra)"
-std::string Subject(const Tally& tally, const CellReader& cells)
-{
-  const int stored = cells.GetCellType(tally.First);
-  const int type = stored == FaceLoops ? VTK_POLYHEDRON : stored;
-  std::string text = tally.Count == 1 ? "1 cell" : std::to_string(tally.Count) + " cells";
-  text += tally.Count == 1 ? " (cell " : " (the first is cell ";
-  text += std::to_string(tally.First) + ", type " + std::to_string(type);
-  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
-  return text + (cell ? std::string(", ") + cell->GetClassName() : std::string()) + ")";
-}
-
-std::string DescribeUnsupported(const Tally& tally, const CellReader& cells)
-{
-  return "Passed over " + Subject(tally, cells) +
+  return "Passed over " + Describe(tally, cells) +
     " of a type that is not supported. Supported are vertices, lines, poly lines, triangles, "
     "strips, pixels, quads, polygons, tetrahedra, voxels, hexahedra, wedges, pyramids, prisms, "
     "polyhedra, and quadratic, cubic, Lagrange and Bezier cells. Apply "
@@ -334,9 +316,10 @@ const char* Reason(CellState state)
   }
 }
 
-std::string DescribeRepeats(const Tally& whole, const Tally& partly, const CellReader& cells)
+std::string DescribeRepeats(
+  const CellTally& whole, const CellTally& partly, const CellReader& cells)
 {
-  Tally all;
+  CellTally all;
   all.Count = whole.Count + partly.Count;
   all.First =
     whole.Count && (!partly.Count || whole.First < partly.First) ? whole.First : partly.First;
@@ -344,7 +327,7 @@ std::string DescribeRepeats(const Tally& whole, const Tally& partly, const CellR
   text += partly.Count == 0 ? ""
     : whole.Count == 0      ? "the degenerate pieces of "
                             : "all or part of ";
-  return text + Subject(all, cells) +
+  return text + Describe(all, cells) +
     " with repeated point ids. Remove collapsed cells from the mesh if they are not intended.";
 }
 
@@ -408,16 +391,26 @@ CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells)
   return checked;
 }
 
+std::string Describe(const CellTally& tally, const CellReader& cells)
+{
+  const int stored = cells.GetCellType(tally.First);
+  const int type = stored == FaceLoops ? VTK_POLYHEDRON : stored;
+  std::string text = tally.Count == 1 ? "1 cell" : std::to_string(tally.Count) + " cells";
+  text += tally.Count == 1 ? " (cell " : " (the first is cell ";
+  text += std::to_string(tally.First) + ", type " + std::to_string(type);
+  const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+  return text + (cell ? std::string(", ") + cell->GetClassName() : std::string()) + ")";
+}
+
 std::vector<std::string> DescribePassedOver(const CellReader& cells, const CheckedCells& checked)
 {
   std::vector<std::string> warnings;
-  std::array<Tally, static_cast<size_t>(CellState::NumberOfStates)> tallies;
+  std::array<CellTally, static_cast<size_t>(CellState::NumberOfStates)> tallies;
   for (const vtkIdType i : InTurn(cells.GetNumberOfCells()))
   {
-    Tally& tally = tallies[static_cast<size_t>(checked.States[i])];
-    tally.First = tally.Count++ ? tally.First : i;
+    tallies[static_cast<size_t>(checked.States[i])].Add(i);
   }
-  const auto of = [&](CellState state) -> const Tally&
+  const auto of = [&](CellState state) -> const CellTally&
   { return tallies[static_cast<size_t>(state)]; };
   if (of(CellState::UnsupportedType).Count)
   {
@@ -428,11 +421,11 @@ std::vector<std::string> DescribePassedOver(const CellReader& cells, const Check
   {
     if (of(state).Count)
     {
-      warnings.push_back("Passed over " + Subject(of(state), cells) + Reason(state));
+      warnings.push_back("Passed over " + Describe(of(state), cells) + Reason(state));
     }
   }
-  const Tally& whole = of(CellState::Repeated);
-  const Tally& partly = of(CellState::PartlyRepeated);
+  const CellTally& whole = of(CellState::Repeated);
+  const CellTally& partly = of(CellState::PartlyRepeated);
   if (whole.Count || partly.Count)
   {
     warnings.push_back(DescribeRepeats(whole, partly, cells));

@@ -67,6 +67,23 @@ int GetDimensionOfType(int cellType);
 
 CheckedCells CheckCells(vtkPointSet* input, const CellReader& cells);
 
+/// How many cells have something in common, and the first of them.
+struct CellTally
+{
+  vtkIdType Count = 0;
+  vtkIdType First = -1;
+
+  void Add(vtkIdType cell) { this->First = this->Count++ ? this->First : cell; }
+  void Add(const CellTally& later)
+  {
+    this->First = this->Count ? this->First : later.First;
+    this->Count += later.Count;
+  }
+};
+
+/// "3 cells (the first is cell 12, type 24, vtkQuadraticTetra)"
+std::string Describe(const CellTally& tally, const CellReader& cells);
+
 /// The warnings, one for each kind of fault.
 std::vector<std::string> DescribePassedOver(const CellReader& cells, const CheckedCells& checked);
 

@@ -63,7 +63,7 @@ private:
   void VisitLinear(int type, const CellIds& cell, const Visit& visit)
   {
     vtkIdType loop[4];
-    if (const FaceTable* table = GetFaceTable(type))
+    if (const SolidFaces* table = GetFaceTable(type))
     {
       for (int face = 0; face < table->NumberOfFaces; ++face)
       {

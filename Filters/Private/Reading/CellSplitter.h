@@ -306,18 +306,7 @@ private:
     }
     else
     {
-      // Both cells at a face have to cut it alike: from its smallest point on, to the smaller side.
-      std::rotate(
-        face, std::min_element(face, face + size, this->Diagonals.GetOrder()), face + size);
-      const bool turns = this->Diagonals.GetOrder()(face[size - 1], face[1]);
-      if (turns)
-      {
-        std::reverse(face + 1, face + size);
-      }
-      for (const auto& t : this->Ears.Cut(face, size))
-      {
-        add(t[0], t[turns ? 2 : 1], t[turns ? 1 : 2]);
-      }
+      this->Ears.CutFace(face, size, add);
     }
   }
 

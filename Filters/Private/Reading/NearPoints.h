@@ -56,6 +56,7 @@ private:
  *
  * Sorts the points by the cells of a grid, within which all are near each other, and compares
  * neighbouring cells: n log n steps, unless very many are nearly as far apart as `tolerance`.
+ * Without a tolerance one look at each point is enough.
  */
 Buffer<vtkIdType> FindFirstOfNear(
   const double* x, const std::vector<vtkIdType>& points, double tolerance, const PointOrder& order);

@@ -14,7 +14,6 @@
 #include "vtkPointSet.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace subdivision
@@ -390,7 +389,7 @@ std::map<std::array<int, 3>, int> FindPlaces(
 
 CellPieces CutQuadratic(const QuadraticCell& cell)
 {
-  const FaceTable* solid = GetFaceTable(cell.CornerType);
+  const SolidFaces* solid = GetFaceTable(cell.CornerType);
   const int size = cell.Corners + static_cast<int>(cell.Nodes.size());
   const int up = cell.CornerType == VTK_WEDGE && FindNode(cell, { 0, 3 }) < 0 ? 1 : 2;
   const std::array<int, 3> orders = { 2, 2, up };

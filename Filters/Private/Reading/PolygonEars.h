@@ -10,6 +10,7 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -36,6 +37,24 @@ public:
 
   /// `loop`: at least three valid ids of finite points. The result lives until the next call.
   const std::vector<std::array<vtkIdType, 3>>& Cut(const vtkIdType* loop, vtkIdType size);
+
+  /// Calls visit(a, b, c) for the triangles of a face of more than four points. Two cells at it,
+  /// which pass it in opposite directions, cut it alike: from its smallest point on, to the smaller
+  /// side. Moves the points of the loop.
+  template <typename Visit>
+  void CutFace(vtkIdType* loop, vtkIdType size, const Visit& visit)
+  {
+    std::rotate(loop, std::min_element(loop, loop + size, this->Order), loop + size);
+    const bool turns = this->Order(loop[size - 1], loop[1]);
+    if (turns)
+    {
+      std::reverse(loop + 1, loop + size);
+    }
+    for (const auto& t : this->Cut(loop, size))
+    {
+      visit(t[0], t[turns ? 2 : 1], t[turns ? 1 : 2]);
+    }
+  }
 
   static constexpr vtkIdType MostCorners = 2000;
 

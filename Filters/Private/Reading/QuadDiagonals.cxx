@@ -56,33 +56,38 @@ void QuadDiagonals::SetTriangles(std::vector<TriangleKey>&& triangles, vtkIdType
 QuadDiagonals::Choice QuadDiagonals::Choose(const vtkIdType* quad) const
 {
   Choice choice;
-  const unsigned found = this->Triangles.empty() ? 0 : this->FindTriangles(quad);
-  if (found == 1 || found == 2)
-  {
-    choice.Diagonal = found == 1 ? 0 : 1;
-    return choice;
-  }
-  const int smallest = static_cast<int>(std::min_element(quad, quad + 4, this->Order) - quad);
-  choice.Diagonal = smallest & 1;
-  choice.Contested = found == 3;
+  const bool found[2] = { this->CountTriangles(quad, 0) > 0, this->CountTriangles(quad, 1) > 0 };
+  choice.Contested = found[0] && found[1];
+  choice.Diagonal = found[0] == found[1] ? this->FindSmallest(quad) : found[0] ? 0 : 1;
   return choice;
 }
 
-unsigned QuadDiagonals::FindTriangles(const vtkIdType* quad) const
+int QuadDiagonals::FindCut(const vtkIdType* quad) const
 {
-  unsigned found = 0;
-  for (int left = 0; left < 4; ++left)
+  const bool found[2] = { this->CountTriangles(quad, 0) == 2, this->CountTriangles(quad, 1) == 2 };
+  return !found[0] && !found[1] ? -1
+    : found[0] == found[1]      ? this->FindSmallest(quad)
+    : found[0]                  ? 0
+                                : 1;
+}
+
+int QuadDiagonals::FindSmallest(const vtkIdType* quad) const
+{
+  return static_cast<int>(std::min_element(quad, quad + 4, this->Order) - quad) & 1;
+}
+
+int QuadDiagonals::CountTriangles(const vtkIdType* quad, int diagonal) const
+{
+  if (this->Triangles.empty())
   {
-    // The triangle without point `left` is cut off by the diagonal that avoids this point.
-    const unsigned bit = left & 1 ? 1 : 2;
-    if (!(found & bit) &&
-      this->HasTriangle(
-        MakeTriangleKey(quad[(left + 1) & 3], quad[(left + 2) & 3], quad[(left + 3) & 3])))
-    {
-      found |= bit;
-    }
+    return 0;
   }
-  return found;
+  const auto count = [&](int third)
+  {
+    return this->HasTriangle(MakeTriangleKey(quad[diagonal], quad[diagonal + 2], quad[third])) ? 1
+                                                                                               : 0;
+  };
+  return count(diagonal + 1) + count((diagonal + 3) % 4);
 }
 
 bool QuadDiagonals::HasTriangle(const TriangleKey& key) const

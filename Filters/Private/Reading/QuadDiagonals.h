@@ -47,12 +47,17 @@ public:
   /// `quad`: four different points, in the order of its boundary.
   Choice Choose(const vtkIdType* quad) const;
 
+  /// The diagonal on both sides of which the mesh has triangles; -1: there is none. Of two it is
+  /// the one through the smallest point.
+  int FindCut(const vtkIdType* quad) const;
+
   const PointOrder& GetOrder() const { return this->Order; }
 
 private:
-  /// Bit d is set if a triangle of the mesh has diagonal d as an edge and its third point in the
-  /// quad.
-  unsigned FindTriangles(const vtkIdType* quad) const;
+  /// Of a diagonal and the quad's other two points: how many triangles of the mesh these make.
+  int CountTriangles(const vtkIdType* quad, int diagonal) const;
+  /// The diagonal through the smallest point.
+  int FindSmallest(const vtkIdType* quad) const;
   bool HasTriangle(const TriangleKey& key) const;
 
   PointOrder Order;

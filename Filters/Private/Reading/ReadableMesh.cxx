@@ -40,7 +40,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace subdivision
 {
@@ -546,6 +545,27 @@ vtkSmartPointer<vtkDataObject> MakeMovable(vtkDataObject* input)
       ShareArrays(data, grid);
       return grid;
     });
+}
+
+std::vector<vtkUnstructuredGrid*> ListGrids(vtkDataObject* data)
+{
+  std::vector<vtkUnstructuredGrid*> grids;
+  if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    grids.push_back(grid);
+  }
+  if (auto* const blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      if (auto* grid = vtkUnstructuredGrid::SafeDownCast(at->GetCurrentDataObject()))
+      {
+        grids.push_back(grid);
+      }
+    }
+  }
+  return grids;
 }
 
 }

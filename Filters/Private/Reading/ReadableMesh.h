@@ -16,6 +16,8 @@
 class vtkCompositeDataSet;
 class vtkDataObject;
 
+class vtkUnstructuredGrid;
+
 namespace subdivision
 {
 
@@ -59,6 +61,9 @@ vtkSmartPointer<vtkDataObject> MakeReadable(
 /// Makes a vtkStructuredGrid, whose points can move, of vtkImageData and vtkRectilinearGrid, also
 /// of blocks. Objects of other classes are returned as they are.
 vtkSmartPointer<vtkDataObject> MakeMovable(vtkDataObject* input);
+
+/// The unstructured grids of a data object, which is one or has them as blocks.
+std::vector<vtkUnstructuredGrid*> ListGrids(vtkDataObject* data);
 
 }
 

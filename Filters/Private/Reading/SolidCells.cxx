@@ -12,17 +12,17 @@ namespace subdivision
 namespace
 {
 
-constexpr FaceTable Tetra = { 4, 4,
+constexpr SolidFaces Tetra = { 4, 4,
   { { 0, 1, 3, -1 }, { 1, 2, 3, -1 }, { 2, 0, 3, -1 }, { 0, 2, 1, -1 } } };
-constexpr FaceTable Hexahedron = { 8, 6,
+constexpr SolidFaces Hexahedron = { 8, 6,
   { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 }, { 0, 3, 2, 1 },
     { 4, 5, 6, 7 } } };
-constexpr FaceTable Voxel = { 8, 6,
+constexpr SolidFaces Voxel = { 8, 6,
   { { 0, 4, 6, 2 }, { 1, 3, 7, 5 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 2, 3, 1 },
     { 4, 5, 7, 6 } } };
-constexpr FaceTable Wedge = { 6, 5,
+constexpr SolidFaces Wedge = { 6, 5,
   { { 0, 1, 2, -1 }, { 3, 5, 4, -1 }, { 0, 3, 4, 1 }, { 1, 4, 5, 2 }, { 2, 5, 3, 0 } } };
-constexpr FaceTable Pyramid = { 5, 5,
+constexpr SolidFaces Pyramid = { 5, 5,
   { { 0, 3, 2, 1 }, { 0, 1, 4, -1 }, { 1, 2, 4, -1 }, { 2, 3, 4, -1 }, { 3, 0, 4, -1 } } };
 
 using Triangle = std::array<vtkIdType, 3>;
@@ -80,7 +80,7 @@ void AddQuad(
   }
 }
 
-void AddFaces(const FaceTable& table, const vtkIdType* ids, const QuadDiagonals& diagonals,
+void AddFaces(const SolidFaces& table, const vtkIdType* ids, const QuadDiagonals& diagonals,
   SolidSplit& split, Surface& surface)
 {
   for (int face = 0; face < table.NumberOfFaces; ++face)
@@ -233,7 +233,7 @@ bool SplitAsOctahedron(
 
 }
 
-const FaceTable* GetFaceTable(int cellType)
+const SolidFaces* GetFaceTable(int cellType)
 {
   switch (cellType)
   {
@@ -271,7 +271,7 @@ vtkIdType CollapseLoop(vtkIdType* loop, vtkIdType size)
 
 SolidSplit SplitSolid(int cellType, const vtkIdType* ids, const QuadDiagonals& diagonals)
 {
-  const FaceTable& table = *GetFaceTable(cellType);
+  const SolidFaces& table = *GetFaceTable(cellType);
   SolidSplit split;
   for (int i = 0; i < table.NumberOfPoints; ++i)
   {

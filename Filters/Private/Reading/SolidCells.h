@@ -13,7 +13,7 @@
 namespace subdivision
 {
 
-struct FaceTable
+struct SolidFaces
 {
   int NumberOfPoints;
   int NumberOfFaces;
@@ -26,7 +26,7 @@ struct FaceTable
  * points outward. (VTK 9.7 turned the definition round; a result must not depend on the VTK that
  * runs.)
  */
-const FaceTable* GetFaceTable(int cellType);
+const SolidFaces* GetFaceTable(int cellType);
 
 /**
  * Drops repeated neighbours from a closed loop of `size` ids and returns its new size. A loop of

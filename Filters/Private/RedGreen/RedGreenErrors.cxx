@@ -5,7 +5,6 @@
 #include "Core/Memory/Sorting.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>

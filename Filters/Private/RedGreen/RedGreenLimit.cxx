@@ -42,17 +42,14 @@ SparseRows<Id> RedGreenLimit<Id>::GetControlRows() const
 }
 
 template <typename Id>
-LocalLimit<Id> RedGreenLimit<Id>::GetOperator(const RedGreen<Id>& state, bool hasNormals) const
+LocalLimit<Id> RedGreenLimit<Id>::GetOperator(
+  const std::vector<std::array<Id, 2>>& midpoints, bool hasNormals) const
 {
-  const Id given = state.GetNumberOfInputVertices();
-  std::vector<std::array<Id, 2>> midpoints(state.GetNumberOfVertices() - given);
-  ForEach(static_cast<vtkIdType>(midpoints.size()),
-    [&](vtkIdType i) { midpoints[i] = state.GetEnds(static_cast<Id>(given + i)); });
   return std::visit(
     [&](const auto& control)
     {
-      return hasNormals ? LocalLimit<Id>(control, this->Creases, midpoints, {}, 1, &this->Solids)
-                        : LocalLimit<Id>::MakeOnLattice(control, this->Creases, midpoints);
+      return LocalLimit<Id>(
+        control, this->Creases, midpoints, hasNormals ? &this->Solids : nullptr);
     },
     this->Control);
 }

@@ -47,9 +47,10 @@ public:
     std::visit(act, this->Control);
   }
 
-  /// From values at the control vertices to the limits of all vertices of a state; `hasNormals`:
-  /// for normals, too.
-  LocalLimit<Id> GetOperator(const RedGreen<Id>& state, bool hasNormals) const;
+  /// From values at the control vertices to the limits of these and of midpoints (LocalLimit.h);
+  /// `hasNormals`: for normals, too.
+  LocalLimit<Id> GetOperator(
+    const std::vector<std::array<Id, 2>>& midpoints, bool hasNormals) const;
 
   const SemiSharpStages<Id>& GetCreases() const { return this->Creases; }
   const std::vector<double>& GetControlCoordinates() const { return this->ControlCoordinates; }

@@ -6,6 +6,7 @@
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
+#include "Private/Curved/CurvedNodes.h"
 #include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/OpenSplits.h"
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace subdivision
 {
@@ -277,7 +279,27 @@ bool RedGreenRun::Refine()
   {
     return false;
   }
-  this->MakePoints(state, limit);
+  std::vector<std::array<Id, 2>> midpoints = ListEnds(state);
+  CurvedNodes nodes;
+  if (this->Options.Nodes)
+  {
+    std::vector<std::array<vtkIdType, 2>> middles;
+    if (!ListMiddles(this->Output, this->Options.Kind, this->Options.CellOrder,
+          state.GetNumberOfVertices(), this->Options.Fail, nodes, middles))
+    {
+      return false;
+    }
+    for (const auto& ends : InTurn(middles))
+    {
+      midpoints.push_back({ { static_cast<Id>(ends[0]), static_cast<Id>(ends[1]) } });
+    }
+  }
+  this->MakePoints(state.GetNumberOfInputVertices(), midpoints, limit);
+  if (this->Options.Nodes)
+  {
+    nodes.Points = this->Output;
+    KeepNodes(std::move(nodes), this->Output, *this->Options.Nodes);
+  }
   TellOvershoot(*this->Points, this->Options, this->Output, this->Options.LimitPlacement);
   RebuildPointGhosts(this->Input, this->Output);
   WholeNumbers whole;
@@ -291,17 +313,19 @@ bool RedGreenRun::Refine()
 }
 
 template <typename Id>
-void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>& limit)
+void RedGreenRun::MakePoints(
+  Id given, const std::vector<std::array<Id, 2>>& midpoints, const RedGreenLimit<Id>& limit)
 {
   VertexOrigins origin(*this->Points);
   if (this->Points->GathersSome())
   {
-    origin.Continue(state);
+    origin.Continue(given, given + static_cast<vtkIdType>(midpoints.size()),
+      [&](vtkIdType v) { return midpoints[v - given]; });
   }
   if (this->Options.LimitPlacement)
   {
     const bool hasNormals = this->Options.GenerateLimitNormals;
-    const LocalLimit<Id> operation = limit.GetOperator(state, hasNormals);
+    const LocalLimit<Id> operation = limit.GetOperator(midpoints, hasNormals);
     Buffer<double> normals;
     if (hasNormals)
     {
@@ -317,10 +341,10 @@ void RedGreenRun::MakePoints(const RedGreen<Id>& state, const RedGreenLimit<Id>&
   }
   else
   {
-    const bool adds = state.GetNumberOfVertices() > state.GetNumberOfInputVertices();
+    const bool adds = !midpoints.empty();
     if (adds)
     {
-      this->Points->Advance(MakeMidpointRows(state), std::cref(origin));
+      this->Points->Advance(MakeRowsOfMidpoints(given, midpoints), std::cref(origin));
     }
     if (!this->AllAgree(!adds))
     {

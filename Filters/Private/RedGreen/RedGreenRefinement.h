@@ -8,6 +8,7 @@
 
 #include "Private/Control/Stamp.h"
 #include "Private/Criteria/RefinementCriteria.h"
+#include "Private/Curved/CurvedNodes.h"
 #include "Private/Run/RunOptions.h"
 
 class vtkPointSet;
@@ -21,6 +22,10 @@ struct RedGreenOptions : RunOptions
   RefinementOptions Criteria;
   bool LimitPlacement = false;
   StampScheme Scheme = StampScheme::BoxSpline; ///< of the limit
+  /// Null, or where nodes of curved cells go, of this order.
+  std::vector<CurvedNodes>* Nodes = nullptr;
+  CurvedKind Kind = CurvedKind::Quadratic;
+  int CellOrder = 2;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

@@ -11,7 +11,6 @@
 
 #include "vtkDataArray.h"
 
-#include <algorithm>
 #include <functional>
 
 namespace subdivision

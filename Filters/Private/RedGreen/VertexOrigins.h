@@ -31,13 +31,19 @@ public:
   template <typename Id>
   void Continue(const RedGreen<Id>& state)
   {
-    this->Given = state.GetNumberOfInputVertices();
+    this->Continue(state.GetNumberOfInputVertices(), state.GetNumberOfVertices(),
+      [&state](vtkIdType v) { return state.GetEnds(static_cast<Id>(v)); });
+  }
+  /// The same to `size` vertices, of which `given` are no midpoints.
+  template <typename GetEnds>
+  void Continue(vtkIdType given, vtkIdType size, const GetEnds& getEnds)
+  {
+    this->Given = given;
     vtkIdType v = this->Given + this->Added.size();
-    const vtkIdType size = state.GetNumberOfVertices();
     Vertex* added = this->Added.Extend(size - v);
     for (; v < size; ++v) // both ends come before their midpoint
     {
-      const auto ends = state.GetEnds(static_cast<Id>(v));
+      const auto ends = getEnds(v);
       const vtkIdType first = this->IsFirst(ends[0], ends[1]) ? ends[0] : ends[1];
       *added++ = { (*this)(first),
         static_cast<unsigned char>(

@@ -235,11 +235,6 @@ bool LiftFeatureValues(
     LiftValues(control, levels, values.Sharpness, lifted.Sharpness);
 }
 
-namespace
-{
-
-/// The angles of corners for ModifiedBoundary, in radians; -1: none. Points beyond the array, the
-/// centres of split cells, have none either.
 std::vector<double> ReadCornerAngles(const FeatureOptions& options)
 {
   std::vector<double> angles;
@@ -252,8 +247,6 @@ std::vector<double> ReadCornerAngles(const FeatureOptions& options)
     }
   }
   return angles;
-}
-
 }
 
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values)

@@ -92,6 +92,10 @@ SolidSharpness FindSharpness(const FeatureValues& values, const SimplicialComple
 bool LiftFeatureValues(
   const SimplexList& control, int levels, const FeatureValues& values, FeatureValues& lifted);
 
+/// The angles of corners for ModifiedBoundary, by point, in radians; -1: none. Points beyond them,
+/// the centres of split cells, have none either.
+std::vector<double> ReadCornerAngles(const FeatureOptions& options);
+
 /// Encodes all choices but FeatureAngle as numbers, which a cache compares. Instead of the angle
 /// the cache compares which edges are features.
 std::vector<long long> EncodeChoices(const FeatureOptions& options, const FeatureValues& values);

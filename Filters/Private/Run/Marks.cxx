@@ -48,7 +48,7 @@ public:
       ForEachFaceLoop(type, ids, this->Loop,
         [this](const vtkIdType* loop, vtkIdType size) { this->Add(loop, size); });
     }
-    else if (const FaceTable* table = GetFaceTable(type))
+    else if (const SolidFaces* table = GetFaceTable(type))
     {
       this->AddFaces(*table, ids.Ids);
     }
@@ -98,7 +98,7 @@ public:
 
 private:
   void Add(const vtkIdType* loop, vtkIdType size) { this->Loops.emplace_back(loop, loop + size); }
-  void AddFaces(const FaceTable& table, const vtkIdType* ids)
+  void AddFaces(const SolidFaces& table, const vtkIdType* ids)
   {
     for (int f = 0; f < table.NumberOfFaces; ++f)
     {

@@ -74,6 +74,8 @@ struct LevelOptions : RunOptions
 {
   int Levels = 1;
   bool ProjectToLimit = false;
+  /// Whether GenerateLimitNormals, which is on, counts only where nothing is sharp in the picture.
+  bool NormalsWhereSmooth = false;
   bool Use32BitIds = false;
   /// Where operators and levels are kept; null: nowhere.
   KeptEntries* Cache = nullptr;

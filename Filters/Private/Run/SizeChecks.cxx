@@ -126,19 +126,37 @@ std::string CheckMemory(const SizeEstimate& estimate)
     estimate.BytesPerPoint * (points + last.Vertices) + estimate.BytesPerCell * cells +
     estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
     (last.Scheme->HasPieces ? 8. * cells : 0.); // OctahedronId
-  if (estimate.Projects)
+  bytes += 24. * estimate.Frames * points;
+  if (estimate.Frames > 0 && !estimate.Projects && last.Tets == 0.)
+  {
+    bytes += (24. + 7. * estimate.BytesPerId) * points; // rings, and points in double
+  }
+  const auto countLevel = [&]()
+  {
+    return estimate.BytesPerId *
+      (19. * last.Tets + 12. * last.Faces + 24. * last.Edges + last.Scheme->CountMoreIds(last)) +
+      estimate.BytesPerPoint * points;
+  };
+  const auto countRows = [&]()
+  {
+    return 1.7 * (8. + estimate.BytesPerId) *
+      (last.Vertices + 2. * last.Edges + 6. * last.Octahedra);
+  };
+  if (estimate.ProjectsByRings)
+  {
+    bytes += countLevel() + 3. * estimate.BytesPerId * points;
+    last = last.Refine();
+    bytes += estimate.KeepsRows ? 1.3 * countRows() : 0.; // beside the level
+  }
+  else if (estimate.Projects)
   {
     // Limit rows need the last level in the depth for one more step, and a row of all neighbours
     // for each point, of which some stand twice while blocks are joined.
     last = estimate.Levels > 0 ? last.Refine() : last;
-    bytes += estimate.BytesPerId * (19. * last.Tets + 12. * last.Faces + 24. * last.Edges) +
-      1.7 * (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges + 6. * last.Octahedra) +
-      estimate.BytesPerPoint * points;
-    bytes += estimate.BytesPerId * last.Scheme->CountMoreIds(last);
+    bytes += countLevel() + countRows();
     if (estimate.Frames > 0)
     {
-      bytes += 2.2 * (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges) +
-        24. * estimate.Frames * points;
+      bytes += 2.2 * (8. + estimate.BytesPerId) * (last.Vertices + 2. * last.Edges);
     }
   }
   return CheckMemory(cells, points, bytes, estimate.Levels);

@@ -41,6 +41,9 @@ struct SizeEstimate
   double BytesPerId = 4;
   bool Projects = false; ///< with limit rows of the last level
   int Frames = 0;        ///< arrays of normals and tangents, with rows beside the limit rows
+  /// Or with limits that the level before tells, and whether their rows are kept.
+  bool ProjectsByRings = false;
+  bool KeepsRows = false;
 };
 
 /// An error message if the peak, the output and the memory of the last step, does not fit.

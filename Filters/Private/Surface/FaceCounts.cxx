@@ -26,7 +26,7 @@ void CountSolid(int type, const CellIds& cell, std::vector<vtkIdType>& loop, Fac
     ForEachFaceLoop(type, cell, loop, count);
     return;
   }
-  const FaceTable& table = *GetFaceTable(type);
+  const SolidFaces& table = *GetFaceTable(type);
   for (int face = 0; face < table.NumberOfFaces; ++face)
   {
     count(nullptr, table.Faces[face][3] < 0 ? 3 : 4);

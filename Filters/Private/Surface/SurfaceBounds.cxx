@@ -44,6 +44,17 @@ bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
     other.ProjectToLimit = project;
     return subdivide(input, other, levels, factors);
   };
+  if (bounded.HasThirds && options.Features.ModifiedBoundary)
+  {
+    bounded.SubdividePlain = [&](int levels, const RunOptions& shared, MatrixFactors* factors)
+    {
+      SurfaceOptions other = options;
+      static_cast<RunOptions&>(other) = shared;
+      other.ProjectToLimit = false;
+      other.Features.ModifiedBoundary = false;
+      return subdivide(input, other, levels, factors);
+    };
+  }
   bounded.SubdividePatch =
     [&](vtkPolyData* patch, int levels, const RunOptions& shared, MatrixFactors* factors)
   {
@@ -51,6 +62,7 @@ bool AddSurfaceBounds(vtkPolyData* input, const SurfaceOptions& options, vtkPoly
     static_cast<RunOptions&>(other) = shared;
     other.Scheme = options.Scheme;
     other.Features = FeatureOptions();
+    other.Features.ModifiedBoundary = false; // patches end anywhere
     other.Features.Singular = patch->GetCellData()->GetArray(PatchSingularName);
     other.MaximumNumberOfCells = VTK_ID_MAX; // which users give for meshes
     return subdivide(patch, other, levels, factors);

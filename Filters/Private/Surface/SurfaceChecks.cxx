@@ -140,17 +140,30 @@ SurfaceSize CountOutput(
   return size;
 }
 
-/// The peak, in bytes.
+/// The peak, in bytes, of a run that makes the normals of its options or of one that makes none.
 double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
   const SurfaceScheme<int>& scheme, const SurfaceOptions& options, const SurfaceSize& size)
 {
+  if (options.NormalsWhereSmooth)
+  {
+    SurfaceOptions sharp = options;
+    sharp.GenerateLimitNormals = sharp.NormalsWhereSmooth = false;
+    SurfaceOptions smooth = options;
+    smooth.NormalsWhereSmooth = false;
+    smooth.Features = FeatureOptions(); // which find nothing sharp
+    return std::max(EstimateBytes(input, cells, scheme, sharp, size),
+      EstimateBytes(input, cells, scheme, smooth, size));
+  }
   const FaceMemory ofFace = scheme.GetFaceMemory();
   const bool readsLimits = options.ReadsLimit();
   const bool isSmooth =
     (scheme.IsDual() || !HasFlags(options.Features)) && cells.Segments.empty() && IsClosed(cells);
-  const double ofNext = options.HasFrames() ? ofFace.FramesOfNext : ofFace.LimitsOfNext;
+  const bool keepsTangents = options.GenerateTangents; // normals alone do not
+  const double ofNext = options.HasFrames() && (keepsTangents || ofFace.FramesOfNext == 0.)
+    ? ofFace.FramesOfNext
+    : ofFace.LimitsOfNext;
   const double beside = readsLimits && ofNext > 0. && SkipsLast(cells, scheme, options) ? ofNext
-    : options.HasFrames() ? ofFace.Frames
+    : options.HasFrames() ? (keepsTangents ? 1. : 0.72) * ofFace.Frames
     : readsLimits         ? ofFace.Limits
     : isSmooth            ? ofFace.Smooth
                           : ofFace.Sharp;

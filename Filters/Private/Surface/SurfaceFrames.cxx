@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <type_traits>
 
 namespace subdivision
 {
@@ -69,23 +70,28 @@ template <typename Id>
 class FrameBlock
 {
 public:
-  FrameBlock(const double* points, double largest, double unit)
-    : Points(points)
+  FrameBlock(const SurfaceScheme<Id>& scheme, const typename SurfaceSteps<Id>::AppendLimits& append,
+    const double* points, double largest, double unit)
+    : Scheme(scheme)
+    , Append(append)
+    , Points(points)
     , Largest(largest)
     , Unit(unit)
   {
   }
 
-  void Sum(const typename SurfaceSteps<Id>::AppendLimits& append, vtkIdType begin, vtkIdType end)
+  void Sum(vtkIdType begin, vtkIdType end)
   {
-    for (int k = 0; k < 2; ++k)
-    {
-      this->Rows[k].Clear();
-      append(k == 0 ? LimitKind::Tangent1 : LimitKind::Tangent2, begin, end, this->Rows[k]);
-      this->Rows[k].ForRuns(
-        0, [&](const RowsView& rows) { SumRows(rows, this->Points, this->Values[k], 3); });
-      FindTangentErrors(this->Rows[k], this->Largest, this->Unit, this->Bounds[k]);
-    }
+    this->First = begin;
+    this->Rows[0].Clear();
+    this->Append(LimitKind::Tangent1, begin, end, this->Rows[0]);
+    FindTangentErrors(this->Rows[0], this->Largest, this->Unit, this->Bounds[0]);
+    this->Rows[0].ForRuns(0,
+      [&](const auto& run)
+      {
+        SumRows(run, this->Points, this->Values[0], 3);
+        this->SumSecond(run);
+      });
   }
   void Turn(vtkIdType i)
   {
@@ -94,7 +100,7 @@ public:
   }
   const double* GetTangent(int which, vtkIdType i) const { return this->Values[which] + 3 * i; }
   /// Writes a normal, or, where there is none, the first tangent; then returns false.
-  bool WriteNormal(vtkIdType i, double* normal) const
+  bool WriteNormal(vtkIdType i, double* normal)
   {
     const double* a = this->GetTangent(0, i);
     const double* b = this->GetTangent(1, i);
@@ -102,20 +108,50 @@ public:
     {
       return true;
     }
-    const auto row = static_cast<std::size_t>(i);
-    FindNormal(a, b,
-      GetTangentError(this->Rows[0], row, this->Points, this->Unit) +
-        GetTangentError(this->Rows[1], row, this->Points, this->Unit),
-      normal);
+    double error = 0.;
+    for (const LimitKind kind : { LimitKind::Tangent1, LimitKind::Tangent2 })
+    {
+      this->Rows[1].Clear();
+      this->Append(kind, this->First + i, this->First + i + 1, this->Rows[1]);
+      error += GetTangentError(this->Rows[1], 0, this->Points, this->Unit);
+    }
+    FindNormal(a, b, error, normal);
     const bool isFound = std::any_of(normal, normal + 3, [](double value) { return value != 0.; });
     std::copy_n(a, isFound ? 0 : 3, normal);
     return isFound;
   }
 
 private:
+  /// The second tangents of vertices whose rows of the first tangent are `run`.
+  template <typename Run>
+  void SumSecond(const Run& run)
+  {
+    double* bounds = this->Bounds[1] + run.FirstRow;
+    if constexpr (std::is_same<Run, EqualRows<Id>>::value)
+    {
+      if (const double* weights = this->Scheme.GetSecondTangent(run.Weights))
+      {
+        const EqualRows<Id> second{ run.FirstRow, run.Count, run.Size, run.Columns, weights };
+        SumRows(second, this->Points, this->Values[1], 3);
+        std::fill_n(
+          bounds, run.Count, GetTangentBound(weights, run.Size, this->Largest, this->Unit));
+        return;
+      }
+    }
+    const vtkIdType begin = this->First + run.FirstRow;
+    this->Rows[1].Clear();
+    this->Append(LimitKind::Tangent2, begin, begin + run.Count, this->Rows[1]);
+    this->Rows[1].ForRuns(
+      run.FirstRow, [&](const RowsView& rows) { SumRows(rows, this->Points, this->Values[1], 3); });
+    FindTangentErrors(this->Rows[1], this->Largest, this->Unit, bounds);
+  }
+
+  const SurfaceScheme<Id>& Scheme;
+  const typename SurfaceSteps<Id>::AppendLimits& Append;
   const double* const Points;
   const double Largest;
   const double Unit;
+  vtkIdType First = 0;
   RowBlock<Id> Rows[2];
   double Values[2][3 * BlockSize];
   double Bounds[2][BlockSize];
@@ -194,7 +230,7 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
   const auto append = steps.MakeLimits();
   const auto write = [&](FrameBlock<Id>& block, vtkIdType begin, vtkIdType end)
   {
-    block.Sum(append, begin, end);
+    block.Sum(begin, end);
     for (vtkIdType v = begin; v < end; ++v)
     {
       const Id face = turned.empty() ? -1 : FindOrientingFace(level, hasTags, static_cast<Id>(v));
@@ -215,7 +251,8 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
   ForRanges(rows,
     [&](vtkIdType first, vtkIdType last)
     {
-      FrameBlock<Id> block(x, largest, type == VTK_FLOAT ? SingleUnit : DoubleUnit);
+      FrameBlock<Id> block(
+        steps.GetScheme(), append, x, largest, type == VTK_FLOAT ? SingleUnit : DoubleUnit);
       ForBlocks(first, last, [&](vtkIdType begin, vtkIdType end) { write(block, begin, end); });
     });
   if (normals)

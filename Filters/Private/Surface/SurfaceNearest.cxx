@@ -71,7 +71,7 @@ bool SurfaceRun<Id>::FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
       places.push_back(this->TakePlaceOfLine(GetLast(steps), search.MakePlace(one)));
     }
     PlaceValues values(asked.size());
-    this->SumPlaces(steps, places,
+    this->SumPlaces(steps, places, PlaceDerivatives::Second,
       [&](vtkIdType begin, const PlaceRows<Id>& rows)
       {
         ForEach(rows.GetNumberOfPlaces(),
@@ -80,7 +80,7 @@ bool SurfaceRun<Id>::FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
     return values;
   };
   const SearchedCells searched = search.GetCells();
-  nearest = FindNearestPlaces(searched, nullptr, 0, points, evaluate);
+  nearest = FindNearestPlaces(searched, nullptr, points, evaluate);
   if (!CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0, this->Options, missing))
   {
     return false;

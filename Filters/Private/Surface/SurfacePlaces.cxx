@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace subdivision
 {
@@ -209,7 +210,7 @@ bool SurfaceRun<Id>::ReadPlace(vtkIdType i, const PlaceInCell& given, const Part
 /// Calls use(begin, rows) for the rows of some places at a time, so that they take little memory.
 template <typename Id>
 void SurfaceRun<Id>::SumPlaces(const SurfaceSteps<Id>& steps,
-  const std::vector<SurfacePlace<Id>>& places,
+  const std::vector<SurfacePlace<Id>>& places, PlaceDerivatives derivatives,
   const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const
 {
   constexpr std::size_t most = 8192;
@@ -219,7 +220,7 @@ void SurfaceRun<Id>::SumPlaces(const SurfaceSteps<Id>& steps,
     const auto count = static_cast<std::ptrdiff_t>(std::min(most, places.size() - begin));
     use(static_cast<vtkIdType>(begin),
       FindSurfacePlaces(*this->Scheme, GetLast(steps), steps.GetSharpCreases(),
-        std::vector<SurfacePlace<Id>>(first, first + count), PlaceDerivatives::Second));
+        std::vector<SurfacePlace<Id>>(first, first + count), derivatives));
     BetweenLoops::Act();
   }
 }
@@ -288,12 +289,13 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
   }
   const auto size = static_cast<vtkIdType>(places.size());
   const double* coordinates = this->Points->GetCoordinates();
-  DerivativeArrays derivatives(size, found);
+  std::optional<DerivativeArrays> derivatives;
+  request.HasDerivatives ? void(derivatives.emplace(size, found)) : void();
   vtkNew<vtkDoubleArray> values;
   values->SetNumberOfComponents(3);
   values->SetNumberOfTuples(size);
   AppendedRows rows;
-  this->SumPlaces(this->GetStepsOfPoints(), places,
+  this->SumPlaces(this->GetStepsOfPoints(), places, request.GetDerivatives(),
     [&](vtkIdType begin, const PlaceRows<Id>& some)
     {
       if (!this->Joined)
@@ -305,7 +307,7 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
         {
           const PlacePoint point = SumParts(some, i, coordinates);
           values->SetTypedTuple(begin + i, point[PlaceParts::Value].data());
-          derivatives.Set(begin + i, origins[begin + i].Dimension, point);
+          derivatives ? derivatives->Set(begin + i, origins[begin + i].Dimension, point) : void();
         });
     });
   if (this->Joined)
@@ -314,8 +316,8 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     {
       return false;
     }
-    this->SumPlaces(
-      *this->Steps, places, [&rows](vtkIdType, const PlaceRows<Id>& some) { rows.Append(some); });
+    this->SumPlaces(*this->Steps, places, PlaceDerivatives::None,
+      [&rows](vtkIdType, const PlaceRows<Id>& some) { rows.Append(some); });
     const auto points = MakeArray(this->Points->GetPoints()->GetDataType(), 3, size);
     for (const vtkIdType i : InTurn(size))
     {

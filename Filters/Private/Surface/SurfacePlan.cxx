@@ -98,8 +98,18 @@ template <typename Id>
 SurfaceTags<Id> SurfaceRun<Id>::Classify(
   const SurfaceLevel<Id>& control, const SurfaceFeatures& features)
 {
+  SurfaceFeatures all = features;
+  if (!this->Scheme->HalvesEdges() && !this->Scheme->IsDual() && !control.Lines.empty())
+  {
+    // RestrictTags makes all lines sharp: corners between them have sectors, too.
+    all.SharpEdges.resize(static_cast<std::size_t>(control.Mesh.GetNumberOfEdges()), 0);
+    for (const Id line : InTurn(control.Lines))
+    {
+      all.SharpEdges[static_cast<std::size_t>(line / 2)] = 1;
+    }
+  }
   SurfaceTags<Id> tags =
-    ClassifySurface(control.Mesh, *this->Scheme, features, this->GetControlCoordinates());
+    ClassifySurface(control.Mesh, *this->Scheme, all, this->GetControlCoordinates());
   // Angles of the first input stay.
   const std::size_t size = tags.Sectors.size();
   if (this->MadeLevels > 0 && this->Stamp.Angles.size() == 2 * size)
@@ -154,7 +164,7 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
     2. * static_cast<double>(cells.SegmentCells.size()) +
     this->Scheme->CountFaces(
       static_cast<double>(cells.GetNumberOfFaces()), static_cast<double>(cells.Corners.size()), 1);
-  if (!this->Options.Splits || this->MadeLevels > 0 || this->Options.HasFrames() ||
+  if (!this->Options.Splits || this->MadeLevels > 0 || this->MakesFrames() ||
     this->Options.Factors || this->Options.HasMaterialFields || this->Joined ||
     &cells == &this->JoinedMesh.Cells || this->Options.Others ||
     children != static_cast<double>(this->Options.Splits->Flags[0].size()))
@@ -169,27 +179,63 @@ int SurfaceRun<Id>::FindFirstLeft(const SurfaceCells& cells, const EdgeSharpness
   return level;
 }
 
+/// Whether normals make no picture worse: all cells are faces, no edge between them is sharp, no
+/// vertex has several fans, and the surface has two sides.
+template <typename Id>
+bool SurfaceRun<Id>::LooksSmooth(
+  const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, const EdgeSharpness& sharpness) const
+{
+  return this->Cells.SegmentCells.empty() && this->Cells.VertexCells.empty() &&
+    !IsSharpAfter(sharpness, this->MadeLevels) &&
+    std::none_of(tags.Edges.begin(), tags.Edges.end(),
+      [](EdgeTag tag) { return tag == EdgeTag::Joint || tag == EdgeTag::Crease; }) &&
+    std::none_of(tags.Vertices.begin(), tags.Vertices.end(),
+      [](VertexTag tag) { return tag == VertexTag::Blend; }) &&
+    std::adjacent_find(tags.Sectors.begin(), tags.Sectors.end(),
+      [](const auto& a, const auto& b) { return a.Vertex == b.Vertex; }) == tags.Sectors.end() &&
+    IsOrientable(mesh);
+}
+
+template <typename Id>
+LastLevel SurfaceRun<Id>::GetLastLevel() const
+{
+  // Who asks for no output, or for places, reads the level itself; sides of a part, too.
+  const bool isWhole = !this->Output || this->Options.Places || this->Options.Others;
+  return !this->MakesFrames() && !this->Options.ProjectToLimit ? LastLevel::ForCells
+    : isWhole                                                  ? LastLevel::Whole
+    : this->MakesFrames()                                      ? LastLevel::ForTangents
+                                                               : LastLevel::ForPositions;
+}
+
 /// Makes the levels and rules of `control`, or finds kept ones that fit. Null if Progress asks to
 /// stop.
 template <typename Id>
 SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   const SurfaceCells& cells, const SurfaceCells& control, KeptSurface<Id>*& found)
 {
-  // Who asks for no output, or for places, reads the level itself; sides of a part, too.
-  const bool isWhole = !this->Output || this->Options.Places || this->Options.Others;
-  const LastLevel last = !this->Options.ReadsLimit() ? LastLevel::ForCells
-    : isWhole                                        ? LastLevel::Whole
-    : this->Options.HasFrames()                      ? LastLevel::ForTangents
-                                                     : LastLevel::ForPositions;
+  // The first levels decide whether there are normals: joined ones, if there are seams.
+  const bool decides = this->Options.NormalsWhereSmooth && !this->Joined;
+  this->MakesNormals = this->Joined ? this->MakesNormals : this->Options.GenerateLimitNormals;
   SurfaceKey key{ this->Options.Scheme, this->Options.Features.ModifiedBoundary,
-    this->Options.Features.Weights, this->Options.Levels, last, this->Options.Use32BitIds,
-    this->MadeLevels, SurfaceCells() };
-  KeptSurface<Id>* kept = nullptr;
+    this->Options.Features.Weights, this->Options.Levels, this->GetLastLevel(),
+    this->Options.Use32BitIds, this->MadeLevels, SurfaceCells() };
   if (this->Options.Cache)
   {
     key.Cells = cells;
-    kept = this->Options.Cache->template FindUnused<KeptSurface<Id>>(
-      [&key](const KeptSurface<Id>& entry) { return entry.Key == key; });
+  }
+  const auto find = [&]() -> KeptSurface<Id>*
+  {
+    return this->Options.Cache
+      ? this->Options.Cache->template FindUnused<KeptSurface<Id>>(
+          [&key](const KeptSurface<Id>& entry) { return entry.Key == key; })
+      : nullptr;
+  };
+  KeptSurface<Id>* kept = find();
+  if (!kept && decides)
+  {
+    this->MakesNormals = false;
+    key.Last = this->GetLastLevel();
+    kept = find();
   }
   SurfaceLevel<Id> fresh;
   if (!kept)
@@ -204,7 +250,18 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
   }
   SurfaceTags<Id> tags = this->Classify(first, creases.Features);
   this->ControlSectors = tags.Sectors;
-  const std::vector<std::string> open = kept ? kept->Warnings : this->DescribeOpen(control, first);
+  if (decides)
+  {
+    this->MakesNormals = this->LooksSmooth(first.Mesh, tags, creases.Sharpness);
+    key.Last = this->GetLastLevel();
+    if (kept && kept->Key.Last != key.Last)
+    {
+      kept = find();
+      fresh = kept ? SurfaceLevel<Id>() : this->MakeFirstLevel(control);
+    }
+  }
+  const std::vector<std::string> open =
+    kept ? kept->Warnings : this->DescribeOpen(control, kept ? kept->Steps->GetLevel(0) : fresh);
   this->Warnings.insert(this->Warnings.end(), open.begin(), open.end());
   SurfaceSteps<Id>* steps = nullptr;
   if (kept && kept->Steps->ReplaceSectors(tags))
@@ -222,9 +279,9 @@ SurfaceSteps<Id>* SurfaceRun<Id>::MakeSteps(
     fresh.Tags = std::move(tags);
     const ClaimedLevel claimed = this->GetClaimedLevel();
     const int firstLeft = this->FindFirstLeft(cells, creases.Sharpness);
-    auto own =
-      std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme, this->GetAllLevels(), last,
-        this->Options.Progress, claimed, firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
+    auto own = std::make_unique<SurfaceSteps<Id>>(std::move(fresh), this->Scheme,
+      this->GetAllLevels(), this->GetLastLevel(), this->Options.Progress, claimed,
+      firstLeft > 0 ? this->Options.Splits : nullptr, firstLeft);
     steps = own.get();
     const int made = steps->GetNumberOfSteps();
     if (made < this->GetAllLevels())
@@ -402,7 +459,7 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
   }
   const Buffer<vtkIdType> sources =
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
-  if (this->Options.HasFrames())
+  if (this->MakesFrames())
   {
     TangentPairs tangents = this->FindFrames(*this->Joined, turned, points);
     for (Buffer<double>* values : { tangents.Values, tangents.Values + 1, &tangents.Normals })

@@ -181,6 +181,10 @@ private:
   bool IsNarrow() const { return this->Options.Splits && !this->Options.Splits->Made.empty(); }
   void LeaveSplit();
   bool Execute();
+  bool LooksSmooth(
+    const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, const EdgeSharpness& sharpness) const;
+  LastLevel GetLastLevel() const;
+  bool MakesFrames() const { return this->MakesNormals || this->Options.GenerateTangents; }
   bool ForgetsLevels() const;
   void Write();
   // Places (SurfacePlaces.cxx, SurfaceNearest.cxx).
@@ -203,6 +207,7 @@ private:
   SurfacePlace<Id> TakePlaceOfLine(
     const SurfaceLevel<Id>& level, const SurfacePlace<Id>& place) const;
   void SumPlaces(const SurfaceSteps<Id>& steps, const std::vector<SurfacePlace<Id>>& places,
+    PlaceDerivatives derivatives,
     const std::function<void(vtkIdType, const PlaceRows<Id>&)>& use) const;
   bool FindNearest(vtkDataSet* targets, const PartsOfCells& parts,
     std::vector<NearestPlace>& nearest, std::vector<PlaceInCell>& inCells,
@@ -215,11 +220,11 @@ private:
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
   {
     return FindLimitTangents(
-      steps, turned, points, this->Options.GenerateLimitNormals, this->Options.GenerateTangents);
+      steps, turned, points, this->MakesNormals, this->Options.GenerateTangents);
   }
   void SetFrames(const TangentPairs& tangents)
   {
-    if (this->Options.GenerateLimitNormals)
+    if (this->MakesNormals)
     {
       this->Points->SetLimitNormals(tangents.Normals);
     }
@@ -253,6 +258,7 @@ private:
   std::vector<vtkIdType> GlobalIds;
   std::unique_ptr<PointArrays> Points;
   bool Solves = false;                                ///< all partitions interpolate
+  bool MakesNormals = false;                          ///< the output has normals
   SharpPairs Marked;                                  ///< FindMarkedEdges
   SharpPairs Creases;                                 ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept

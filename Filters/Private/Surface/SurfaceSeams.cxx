@@ -4,7 +4,6 @@
 #include "Core/Memory/Ids.h"
 #include "Private/Reading/NearPoints.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace subdivision

@@ -50,9 +50,9 @@ bool SurfaceRun<Id>::Execute()
     this->LeaveSplit();
   }
   this->Interpolate();
-  const Buffer<unsigned char> turned = this->Options.HasFrames()
-    ? this->FindTurned(this->Joined ? *this->Joined : *this->Steps)
-    : Buffer<unsigned char>();
+  const SurfaceSteps<Id>& smoothed = this->Joined ? *this->Joined : *this->Steps;
+  const Buffer<unsigned char> turned =
+    this->MakesFrames() ? this->FindTurned(smoothed) : Buffer<unsigned char>();
   if (this->Joined)
   {
     this->Points->ReusePoints(this->FollowPoints(turned));
@@ -98,7 +98,7 @@ bool SurfaceRun<Id>::Execute()
         static_cast<vtkIdType>(left.size()));
     }
   }
-  const bool addFrames = !this->Joined && this->Options.HasFrames();
+  const bool addFrames = !this->Joined && this->MakesFrames();
   const TangentPairs tangents =
     addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : TangentPairs(0);
   if (this->Options.ProjectToLimit)

@@ -9,19 +9,18 @@ namespace subdivision
 
 template <typename Id>
 template <typename Level>
-LimitOperators<Id>::LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
-  const ControlSolids& solids, bool project, bool generateNormals, bool generateTangents)
-  : HasNormals(generateNormals)
-  , HasTangents(generateTangents)
+bool LimitOperators<Id>::FindFrames(const Level& level, const ControlSolids& solids, int steps)
 {
-  if (project)
-  {
-    this->Rows = BuildLimitRows(level, creases);
-  }
-  if (generateNormals || generateTangents)
-  {
-    this->Tangents = BuildLimitTangents(level, creases, solids);
-  }
+  return BuildSkinTangents(level, solids, steps, this->Frames);
+}
+
+template <typename Id>
+template <typename Level>
+void LimitOperators<Id>::FindFrames(
+  const Level& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids)
+{
+  this->Frames = {};
+  this->Frames.Tangents = BuildLimitTangents(level, creases, solids);
 }
 
 template <typename Id>
@@ -31,16 +30,14 @@ void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>
   const vtkIdType size = arrays.GetPoints()->GetNumberOfTuples();
   if (this->HasTangents)
   {
-    Buffer<double> values[2] = { Buffer<double>(3 * size), Buffer<double>(3 * size) };
-    ComputeLimitTangents(this->Tangents, arrays.GetCoordinates(), inverted, turned,
-      values[0].data(), values[1].data());
+    Buffer<double> values[2];
+    this->Frames.ComputeTangents(arrays.GetCoordinates(), size, inverted, turned, values);
     arrays.SetLimitTangents(values);
   }
-  if (this->HasNormals)
+  if (this->HasNormals && !arrays.HasLimitNormals())
   {
-    Buffer<double> normals(3 * size);
-    ComputeLimitNormals(this->Tangents, arrays.GetCoordinates(), inverted, turned, normals.data());
-    arrays.SetLimitNormals(normals);
+    arrays.SetLimitNormals(
+      this->Frames.ComputeNormals(arrays.GetCoordinates(), size, inverted, turned));
   }
   arrays.Project(this->Rows);
 }
@@ -48,8 +45,10 @@ void LimitOperators<Id>::Apply(PointArrays& arrays, const std::vector<vtkIdType>
 SUBDIVISION_COMPILE(struct LimitOperators);
 
 #define SUBDIVISION_LIMIT_OPERATORS(Scheme)                                                        \
-  template LimitOperators<Scheme::Id>::LimitOperators(const Scheme::Level&,                        \
-    const SemiSharpStages<Scheme::Id>&, const ControlSolids&, bool, bool, bool)
+  template bool LimitOperators<Scheme::Id>::FindFrames(                                            \
+    const Scheme::Level&, const ControlSolids&, int);                                              \
+  template void LimitOperators<Scheme::Id>::FindFrames(                                            \
+    const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_LIMIT_OPERATORS);
 
 }

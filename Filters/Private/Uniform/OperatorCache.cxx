@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Uniform/OperatorCache.h"
 
+#include "Private/ArrayNames.h"
+
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
 namespace subdivision
 {
 
@@ -27,17 +33,20 @@ std::vector<vtkDataArray*> ListArrays(const UniformCells& cells)
 
 }
 
-void KeptOperator::HandOut(const UniformCells& cells, vtkDataArray* points)
+void KeptOperator::HandOut(const UniformCells& cells, vtkPointSet* output)
 {
   if (cells.Cells != this->Cells.Cells)
   {
     this->Cells = cells;
     this->HandedCells.Set(ListArrays(cells));
   }
+  vtkDataArray* const points = output->GetPoints()->GetData();
   if (points != this->PointsOut)
   {
     this->PointsOut = points;
-    this->HandedPoints.Set({ points });
+    this->NormalsOut =
+      this->HasNormals ? output->GetPointData()->GetArray(LimitNormalsName) : nullptr;
+    this->HandedPoints.Set({ points, this->NormalsOut.Get() });
   }
 }
 
@@ -48,7 +57,8 @@ bool KeptOperator::HasCells() const
 
 bool KeptOperator::HasPoints() const
 {
-  return this->PointsOut && this->HandedPoints.Hold({ this->PointsOut });
+  return this->PointsOut &&
+    this->HandedPoints.Hold({ this->PointsOut.Get(), this->NormalsOut.Get() });
 }
 
 }

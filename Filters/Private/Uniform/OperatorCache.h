@@ -7,9 +7,10 @@
 #ifndef SubdivisionObjects_OperatorCache_h
 #define SubdivisionObjects_OperatorCache_h
 
+#include "Core/Operators/MatrixFactors.h"
 #include "Core/Operators/OperatorSequence.h"
-#include "Core/Solids/Limits/LimitNormals.h"
 #include "Core/Solids/Limits/LimitStencils.h"
+#include "Core/Solids/Limits/Skin.h"
 #include "Core/Solids/Scheme/ComposedRows.h"
 #include "Core/Solids/Strata/Singularities.h"
 #include "Private/Arrays/Arrays.h"
@@ -36,22 +37,25 @@ template <typename Id>
 struct LimitOperators
 {
   SparseRows<Id> Rows; ///< none: points stay where they are
-  LimitTangents<Id> Tangents;
+  SkinTangents<Id> Frames;
   bool HasNormals = false;
   bool HasTangents = false; ///< these go to arrays of their own
 
-  LimitOperators() = default;
-  /// A level of any volume scheme.
+  /// Finds tangents by the skin (Skin.h) of the level so many steps before the last. False: they
+  /// need the last level.
   template <typename Level>
-  LimitOperators(const Level& level, const SemiSharpStages<Id>& creases,
-    const ControlSolids& solids, bool project, bool generateNormals, bool generateTangents);
+  bool FindFrames(const Level& level, const ControlSolids& solids, int steps);
+  /// The same by the last level, of any volume scheme.
+  template <typename Level>
+  void FindFrames(
+    const Level& level, const SemiSharpStages<Id>& creases, const ControlSolids& solids);
 
-  /// `arrays` belong to the level; `inverted` and `turned` as in ComputeLimitNormals.
+  /// `arrays` belong to the last level; `inverted` and `turned` as in ComputeLimitNormals.
   void Apply(PointArrays& arrays, const std::vector<vtkIdType>& inverted,
     const Buffer<unsigned char>& turned) const;
   std::size_t GetMemorySize() const
   {
-    return this->Rows.GetMemorySize() + this->Tangents.GetMemorySize();
+    return this->Rows.GetMemorySize() + this->Frames.GetMemorySize();
   }
 };
 
@@ -99,8 +103,8 @@ public:
         this->Columns, [this](vtkIdType row) { return this->Columns.Columns[row]; }, this->Staying);
     }
   }
-  /// Sets the operators that follow the last step.
-  void SetLimit(LimitOperators<Id>&& limit) { this->Limit = std::move(limit); }
+  /// The operators that follow the last step.
+  LimitOperators<Id>& GetLimit() { return this->Limit; }
   void SetControlLimit(SparseRows<Id>&& limit) { this->ControlLimit = std::move(limit); }
   const PointOperator* GetControlLimit() const override
   {
@@ -205,6 +209,10 @@ struct TopologyKey
   std::size_t GetMemorySize() const;
 };
 
+/// The factor that adds the centres of split cells behind the points of the input. It copies points
+/// where there are no centres.
+void AppendCentres(const SimplicesOfCells& cells, MatrixFactors& factors);
+
 struct KeptOperator : KeptEntry
 {
   TopologyKey Key;
@@ -220,18 +228,20 @@ struct KeptOperator : KeptEntry
   std::vector<FeatureCandidate> Candidates;
   std::vector<bool> Features;
   FaceSides Sides; ///< of the level that was read, where normals are made
+  bool HasNormals = false;
   /// The warnings that building gave.
   std::vector<std::string> Warnings;
   /// Points that went in (a copy), how far interpolation moved them, and points that came out.
   vtkSmartPointer<vtkDataArray> PointsIn;
   double PointsWeight = 0.;
   vtkSmartPointer<vtkDataArray> PointsOut;
-  bool IsUpright = false;   ///< with these points no solid is inside out
-  SharedArrays HandedCells; ///< Cells and PointsOut, which the output has
+  vtkSmartPointer<vtkDataArray> NormalsOut; ///< null: the output has none that the filter made
+  bool IsUpright = false;                   ///< with these points no solid is inside out
+  SharedArrays HandedCells; ///< Cells, and PointsOut with NormalsOut, which the output has
   SharedArrays HandedPoints;
 
   /// Sets the arrays that the output has, after nothing else changes it.
-  void HandOut(const UniformCells& cells, vtkDataArray* points);
+  void HandOut(const UniformCells& cells, vtkPointSet* output);
   /// Whether nobody wrote into the output's cells, or its points.
   bool HasCells() const;
   bool HasPoints() const;

@@ -2,6 +2,7 @@
 #include "Private/Uniform/StartPieces.h"
 
 #include "Core/Memory/Loops.h"
+#include "Private/Bounds/TetOctPieces.h"
 #include "Private/Bounds/TetOctReader.h"
 #include "Private/Places/SolidPieces.h"
 
@@ -21,18 +22,16 @@ namespace subdivision
 namespace
 {
 
-using Place = TetOctPieces::Place;
-
 /// Where a place in a tetrahedron, or in a quarter of an octahedron, is in that solid.
-Place GetPlaceInSolid(const std::array<double, 4>& weights, int quarter)
+FrameNode GetPlaceInSolid(const std::array<double, 4>& weights, int quarter, int divisions)
 {
-  Place place{};
+  FrameNode place{};
   for (int corner = 0; corner < 4; ++corner)
   {
-    const auto multiple = static_cast<int>(std::lround(weights[corner] * TetOctPieces::Divisions));
-    const Place vertex = quarter >= 0
+    const auto multiple = static_cast<int>(std::lround(weights[corner] * divisions));
+    const FrameNode vertex = quarter >= 0
       ? TetOctPieces::GetVertex(TetOctPieces::GetQuarters()[quarter][corner])
-      : Place{ { corner == 1 ? 1 : 0, corner == 2 ? 1 : 0, corner == 3 ? 1 : 0 } };
+      : FrameNode{ { corner == 1 ? 1 : 0, corner == 2 ? 1 : 0, corner == 3 ? 1 : 0 } };
     for (int axis = 0; axis < 3; ++axis)
     {
       place[axis] += multiple * vertex[axis];
@@ -42,16 +41,17 @@ Place GetPlaceInSolid(const std::array<double, 4>& weights, int quarter)
 }
 
 /// The corners of all pieces of a tetrahedron, or of a quarter, one piece after the other.
-std::vector<Place> ListPieces(int steps, int quarter)
+std::vector<FrameNode> ListPieces(int steps, int quarter)
 {
-  std::vector<Place> corners;
+  std::vector<FrameNode> corners;
   for (vtkIdType part = 0; part < vtkIdType(1) << (3 * steps); ++part)
   {
     for (int k = 0; k < 4; ++k)
     {
       std::array<double, 4> corner{};
       corner[k] = 1.;
-      corners.push_back(GetPlaceInSolid(LeavePartOfSimplex(3, steps, part, corner), quarter));
+      corners.push_back(
+        GetPlaceInSolid(LeavePartOfSimplex(3, steps, part, corner), quarter, 1 << steps));
     }
   }
   return corners;
@@ -71,38 +71,34 @@ public:
     }
   }
 
-  void WriteTet(vtkIdType first)
-  {
-    this->Reader.ReadTet(first);
-    this->Write(-1);
-  }
+  void WriteTet(vtkIdType first) { this->Write(this->Reader.GetTet(first), -1); }
   /// `quarters`: the corners of the four quarters.
   void WriteOct(vtkIdType first, const vtkIdType* quarters)
   {
-    this->Reader.ReadOct(first, TetOctPieces::Join(quarters));
+    const auto solid = this->Reader.GetOct(first, TetOctPieces::Join(quarters));
     for (int quarter = 0; quarter < 4; ++quarter)
     {
-      this->Write(quarter);
+      this->Write(solid, quarter);
     }
   }
 
 private:
-  void Write(int quarter)
+  void Write(const TetOctReader::Solid& solid, int quarter)
   {
-    const std::vector<Place>& corners = this->Corners[quarter + 1];
+    const std::vector<FrameNode>& corners = this->Corners[quarter + 1];
     for (std::size_t first = 0; first < corners.size(); first += 4)
     {
       vtkIdType piece[4];
       std::transform(corners.begin() + static_cast<std::ptrdiff_t>(first),
         corners.begin() + static_cast<std::ptrdiff_t>(first) + 4, piece,
-        [this](const Place& place) { return this->Reader.Get(place); });
+        [&](const FrameNode& place) { return this->Reader.GetPoint(solid, place); });
       this->Cut->InsertNextCell(VTK_TETRA, 4, piece);
     }
   }
 
   TetOctReader Reader;
   vtkUnstructuredGrid* Cut;
-  std::array<std::vector<Place>, 5> Corners; ///< of a tetrahedron, then of each quarter
+  std::array<std::vector<FrameNode>, 5> Corners; ///< of a tetrahedron, then of each quarter
 };
 
 }

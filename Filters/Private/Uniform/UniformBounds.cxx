@@ -2,9 +2,7 @@
 #include "Private/Uniform/UniformBounds.h"
 
 #include "Private/Bounds/ErrorBounds.h"
-#include "Private/Uniform/UniformCells.h"
 
-#include "vtkCellData.h"
 #include "vtkUnstructuredGrid.h"
 
 namespace subdivision
@@ -15,18 +13,17 @@ bool AddUniformBounds(
 {
   if (options.KeepCellTypes)
   {
-    options.Warn("Cells that KeepCellTypes writes have no error bounds (switch it off): "
-                 "GenerateErrorBounds is ignored.");
+    options.Warn(
+      "Cells that keep their type have no error bounds (VolumeScheme = Hybrid, KeepCellTypes): "
+      "GenerateErrorBounds is ignored.");
     return true;
   }
-  const bool isTetOct = options.Scheme == StampScheme::TetOct;
   BoundedRun bounded;
   bounded.Input = input;
   bounded.Output = output;
   bounded.Levels = options.Levels;
   bounded.KnowsParts = true;
-  bounded.IsTetOct = isTetOct;
-  bounded.Octahedra = isTetOct ? output->GetCellData()->GetArray(OctahedraName) : nullptr;
+  bounded.IsTetOct = options.Scheme == StampScheme::TetOct;
   bounded.Subdivide = [&](int levels, bool project, const RunOptions& shared,
                         MatrixFactors* factors) -> vtkSmartPointer<vtkPointSet>
   {

@@ -2,6 +2,7 @@
 #include "Private/Uniform/UniformCells.h"
 
 #include "Core/Memory/Ids.h"
+#include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Values/PointCopies.h"
 

@@ -22,9 +22,6 @@ class vtkDataArray;
 namespace subdivision
 {
 
-/// The cell array that tells which tetrahedra are the pieces of one octahedron; -1 for all others.
-constexpr const char* OctahedraName = "OctahedronId";
-
 struct UniformCells
 {
   vtkSmartPointer<vtkCellArray> Cells;

@@ -10,7 +10,6 @@
 #include "Private/Values/SharedInterpolation.h"
 
 #include "vtkCellData.h"
-#include "vtkLogger.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -34,10 +33,12 @@ double UniformRun::GetPointsWeight() const
 void UniformRun::PlanInterpolation()
 {
   this->Solves = AgreeWithOthers(this->Interpolates(), this->Options);
-  // Normals and tangents need the points before they are projected.
+  // Tangents, which are not kept, need the points before they are projected; on which side normals
+  // are, other partitions may decide.
   const KeptOperator* kept = this->Found;
-  const bool knowsPoints = kept && kept->Steps && kept->PointsOut && !this->Options.HasFrames() &&
-    kept->PointsWeight == this->GetPointsWeight() &&
+  const bool knowsPoints = kept && kept->Steps && kept->PointsOut &&
+    !this->Options.GenerateTangents && this->Options.GenerateLimitNormals == kept->HasNormals &&
+    !(kept->HasNormals && this->Others) && kept->PointsWeight == this->GetPointsWeight() &&
     HoldsSameValues(this->Points->GetPoints(), kept->PointsIn) && kept->HasPoints();
   this->ReusesPoints = AgreeWithOthers(knowsPoints, this->Options);
 }
@@ -100,19 +101,9 @@ void UniformRun::CheckOrientation()
   {
     kept->IsUpright = found.Count == 0;
   }
-  const vtkIdType cells = this->Output->GetNumberOfCells();
-  const std::string text = std::to_string(found.Count) + " of " + std::to_string(cells) +
-    " cells are solids that smoothing turned inside out, the first is cell " +
-    std::to_string(found.First) +
-    ": the control mesh is too thin there. Make its solids less flat, or take fewer levels; "
-    "GenerateClassification marks these cells (Inverted).";
-  if (found.Count > cells / 100000 && hasMoved)
+  if (hasMoved)
   {
-    this->Options.Warn(text);
-  }
-  else if (found.Count > 0 && hasMoved) // so few are information: no window opens for it
-  {
-    vtkLogF(INFO, "%s", text.c_str());
+    TellInverted(found, this->Output->GetNumberOfCells(), this->Options);
   }
 }
 

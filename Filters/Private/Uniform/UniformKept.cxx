@@ -3,7 +3,6 @@
 #include "Private/Uniform/UniformRun.h"
 
 #include "Core/Memory/Loops.h"
-#include "Core/Operators/MatrixFactors.h"
 #include "Private/Arrays/Arrays.h"
 
 #include "vtkPoints.h"
@@ -33,8 +32,8 @@ std::vector<T> CopyInTurn(const std::vector<T>& values)
   return copy;
 }
 
-/// The factor that adds the centres of split cells behind the points of the input. It copies points
-/// where there are no centres.
+}
+
 void AppendCentres(const SimplicesOfCells& cells, MatrixFactors& factors)
 {
   const vtkIdType centres = cells.GetNumberOfCentres();
@@ -61,8 +60,6 @@ void AppendCentres(const SimplicesOfCells& cells, MatrixFactors& factors)
   factors.Append(std::move(factor));
 }
 
-}
-
 TopologyKey UniformRun::MakeKey() const
 {
   TopologyKey key;
@@ -81,6 +78,7 @@ TopologyKey UniformRun::MakeKey() const
   key.Choices.push_back(this->Mesh.IsStamped);
   key.Choices.push_back(this->Options.ProjectToLimit);
   key.Choices.push_back(this->Options.GenerateLimitNormals);
+  key.Choices.push_back(this->Options.NormalsWhereSmooth);
   key.Choices.push_back(this->Options.GenerateTangents);
   key.Choices.push_back(this->Interpolates());
   key.Choices.push_back(this->Points->HasWeights());
@@ -124,10 +122,12 @@ void UniformRun::UseKept(KeptOperator& kept)
   if (this->ReusesPoints)
   {
     this->Points->ReusePoints(kept.PointsOut);
+    this->Points->ReuseLimitNormals(kept.NormalsOut);
   }
   else
   {
     kept.PointsOut = nullptr; // until they belong to PointsIn: memory may not suffice
+    kept.NormalsOut = nullptr;
     kept.IsUpright = false;
     kept.PointsIn->DeepCopy(this->Points->GetPoints());
     kept.PointsWeight = this->GetPointsWeight();
@@ -138,7 +138,7 @@ void UniformRun::UseKept(KeptOperator& kept)
     kept.Steps->Apply(*this->Points, this->Mesh.Inverted, this->Turned);
   }
   this->FinishPoints(false);
-  kept.HandOut(this->Cells, this->Output->GetPoints()->GetData());
+  kept.HandOut(this->Cells, this->Output);
   if (this->Options.Levels > 0)
   {
     this->AddClassification(kept.Steps->GetLastVertices(), kept.Steps->GetLastEdges());
@@ -184,7 +184,8 @@ void UniformRun::Keep()
   {
     return;
   }
-  this->ToKeep->HandOut(this->Cells, this->Output->GetPoints()->GetData());
+  this->ToKeep->HasNormals = this->Options.GenerateLimitNormals;
+  this->ToKeep->HandOut(this->Cells, this->Output);
   this->ToKeep->Parents = std::move(this->Parents);
   this->ToKeep->Derived = std::move(this->Derived);
   this->ToKeep->ControlDerived = std::move(this->Control.Derived.Tuples);

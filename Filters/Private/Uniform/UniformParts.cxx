@@ -154,7 +154,7 @@ void UniformRun::FindTurned()
   {
     return;
   }
-  if (!this->Found)
+  if (!this->Found && this->Sides.PartOf.empty()) // LooksSmooth may have found them
   {
     this->Sides = std::visit([this](const auto& level)
       { return FindTriangleSides(level, FindSureVertices(this->Mesh.Cells, this->Others)); },

@@ -8,6 +8,8 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Places/NearestPlaces.h"
 #include "Private/Places/PlaceOutput.h"
+#include "Private/Places/SolidPieces.h"
+#include "Private/Uniform/PlaceResult.h"
 #include "Private/Uniform/StartPieces.h"
 
 #include "vtkDataArray.h"
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <memory>
 
 namespace subdivision
 {
@@ -292,7 +295,8 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
     return values;
   };
   const SearchedCells searched{ simplices.NumberOfPoints, all.Dimensions, all.Connectivity, false };
-  std::vector<NearestPlace> nearest = FindNearestPlaces(searched, fine, levels, targets, evaluate);
+  const auto solids = fine ? std::make_unique<SolidPieces>(searched, fine, levels) : nullptr;
+  std::vector<NearestPlace> nearest = FindNearestPlaces(searched, solids.get(), targets, evaluate);
   if (!CheckNearestPlaces(nearest, searched.GetNumberOfCells() > 0, this->Options, missing))
   {
     return false;
@@ -348,23 +352,14 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
   {
     return false;
   }
-  const double* coordinates = this->Points->GetCoordinates();
-  vtkPolyData* output = request.Output;
-  output->Initialize();
-  DerivativeArrays derivatives(static_cast<vtkIdType>(places.size()), found);
-  AppendedRows rows;
-  ForParts(level, creases, places, PlaceDerivatives::Second,
-    [&](vtkIdType begin, const PlaceLimits<Id>& limits)
+  WritePlaces(
+    request, static_cast<vtkIdType>(places.size()), missing,
+    [&](const auto& use)
     {
-      rows.Append(limits.Rows);
-      ForEach(limits.Rows.GetNumberOfPlaces(),
-        [&](vtkIdType i)
-        {
-          derivatives.Set(
-            begin + i, places[begin + i].Dimension, SumParts(limits.Rows, i, coordinates));
-        });
-    });
-  this->Points->Advance(rows.Finish(),
+      ForParts(level, creases, places, request.GetDerivatives(),
+        [&use](vtkIdType begin, const PlaceLimits<Id>& limits) { use(begin, limits.Rows); });
+    },
+    [&](vtkIdType place) { return places[place].Dimension; },
     [&](vtkIdType row)
     {
       const LimitPlace<Id>& place = places[row];
@@ -373,10 +368,8 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
       const auto most = std::max_element(p.begin(), p.end());
       return static_cast<vtkIdType>(
         place.Corners[place.Order[first >= *most ? 0 : 1 + (most - p.begin())]]);
-    });
-  this->Points->ForgetInputPoints();
-  this->Points->Finish(output);
-  FinishPlaces(missing, found, request.Targets, output);
+    },
+    *this->Points, found);
   return true;
 }
 

@@ -12,9 +12,11 @@
 
 #include "Core/Solids/AllSchemes/LevelCut.h"
 #include "Core/Solids/Limits/PlaceLimits.h"
+#include "Core/Solids/Limits/RegularLimits.h"
 #include "Private/Arrays/PointArrays.h"
 #include "Private/Control/ControlComplex.h"
 #include "Private/Partitions/SharedNumbers.h"
+#include "Private/Uniform/Classification.h"
 #include "Private/Uniform/UniformCells.h"
 #include "Private/Uniform/UniformSubdivision.h"
 
@@ -27,13 +29,6 @@ class vtkPolyData;
 
 namespace subdivision
 {
-
-/// The point arrays of GenerateClassification.
-constexpr const char* RuleName = "RuleDimension";
-constexpr const char* TypeName = "NonManifoldType";
-
-/// The cell array that marks solids which smoothing turned inside out.
-constexpr const char* InvertedName = "Inverted";
 
 class UniformRun
 {
@@ -61,7 +56,11 @@ private:
   template <typename Id>
   bool BuildLevel();
   const SchemeTraits& GetScheme() const;
-  bool HasMemoryFor(const LevelCounts& counts, double bytesPerId) const;
+  bool ReadsRings(bool hasSolids) const;
+  void DecideNormals();
+  bool LooksSmooth();
+  std::string CheckLevels() const;
+  std::string CheckLevels(const LevelCounts& counts, double bytesPerId) const;
   /// How many steps there are from the cells that go on, or all.
   int GetLastSteps() const;
 
@@ -94,16 +93,18 @@ private:
   template <typename Scheme>
   void StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, KeptOperator* keep);
   template <typename Scheme>
-  void StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>* kept);
+  void StepOnce(typename Scheme::Level& level, LimitKinds<typename Scheme::Id>& kinds, int step,
+    Kept<Scheme>* kept);
   template <typename Scheme>
-  void StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, bool keeps);
+  void StepLast(typename Scheme::Level& level, const LimitKinds<typename Scheme::Id>& kinds,
+    Kept<Scheme>& kept, bool keeps);
   template <typename Scheme>
-  void StepLastInPieces(const typename Scheme::Level& level);
+  void StepLastInPieces(const typename Scheme::Level& level, Kept<Scheme>& kept);
   template <typename Scheme>
-  void StepTwice(const typename Scheme::Level& level);
+  void StepTwice(const typename Scheme::Level& level, Kept<Scheme>& kept);
   template <typename Scheme>
   void StepTwice(const typename Scheme::Level& level, const typename Scheme::ChildRows& last,
-    const LevelCut<Scheme>* cut);
+    const LevelCut<Scheme>* cut, Kept<Scheme>& kept);
   template <typename Scheme>
   Stencils<typename Scheme::Id> TakeOperator(
     typename Scheme::Level& level, int step, const LevelCut<Scheme>* cut = nullptr) const;
@@ -113,12 +114,18 @@ private:
   template <typename Rows>
   void AddClassificationOf(const Rows& last);
   template <typename Scheme>
-  void GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& kept);
+  void PlanLimit(const typename Scheme::Level& level, Kept<Scheme>& kept);
+  template <typename Scheme>
+  void FindLimit(const typename Scheme::Level& level, Kept<Scheme>& kept) const;
   template <typename Scheme>
   void MakeCells(const typename Scheme::Level& level, int steps, vtkDataArray* points);
   template <typename Scheme>
   void GatherDerived(const typename Scheme::Level& level, int steps);
   void LowerSharpness();
+  /// `limits`: rows that are not kept.
+  template <typename Scheme>
+  void FinishPoints(
+    Kept<Scheme>& kept, bool ownsCells, const BlockOperator<typename Scheme::Id>* limits = nullptr);
   void FinishPoints(bool ownsCells);
 
   // A mesh that has copies of cells of other partitions.
@@ -149,7 +156,7 @@ private:
   }
 
   vtkPointSet* Input;
-  const UniformOptions& Options;
+  UniformOptions Options;
   vtkUnstructuredGrid* Output;
   ControlMesh Mesh;
   std::unique_ptr<PointArrays> Points;
@@ -163,6 +170,9 @@ private:
   std::vector<std::string> BuildWarnings;
   const KeptOperator* SameCells = nullptr; ///< kept, with the cells of the output
   UniformCells Cells;                      ///< of the output
+  bool HasFrames = false;                  ///< normals and tangents do not need the last level
+  bool HasRings = false;                   ///< nor do limits (RegularLimits.h)
+  bool MakesLast = false;                  ///< the last level is made, not its cells alone
   bool HasTurned = false;                  ///< octahedra are cut around their shortest diagonals
   OtherPartitions* Others = nullptr;       ///< null: the mesh is the whole
   WantedSimplices Wanted;

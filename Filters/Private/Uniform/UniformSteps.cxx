@@ -17,6 +17,36 @@
 
 namespace subdivision
 {
+namespace
+{
+
+/// The operator of a level that stays whole, and may have sectors.
+template <typename Id>
+class RowsWithSectors : public LevelRows<Id>
+{
+public:
+  template <typename Level>
+  explicit RowsWithSectors(const Level& level)
+    : LevelRows<Id>(level)
+    , Own(MakeSectorRows(level.Strata, level.Complex.EdgeVertices))
+  {
+  }
+  void ForEachBlock(const PointOperator::User& use) const override
+  {
+    LevelRows<Id>::ForEachBlock(use);
+    if (!this->Own.Rows.empty())
+    {
+      use(WeightedRows<Id>{ 0, static_cast<vtkIdType>(this->Own.Rows.size()),
+        this->Own.Offsets.data(), this->Own.Columns.data(), this->Own.Weights.data(),
+        this->Own.Rows.data(), false });
+    }
+  }
+
+private:
+  const ExplicitRows<Id> Own;
+};
+
+}
 
 /// Makes points and cells of the output. Returns false if Progress asks to stop.
 bool UniformRun::Execute()
@@ -69,6 +99,22 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
       level, BuildSharpStages<Scheme>(this->Mesh, this->Options.Features, this->Control, 0)));
     this->Interpolate(kept->GetControlLimit());
   }
+  this->PlanLimit<Scheme>(level, *kept);
+  if (this->MakesLast && this->Options.HasFrames() && !this->IsNarrow)
+  {
+    const std::string tooLarge =
+      this->CheckLevels(CountSimplices<Scheme>(level), sizeof(typename Scheme::Id));
+    if (!tooLarge.empty() && !this->Options.NormalsWhereSmooth)
+    {
+      this->Options.Fail(tooLarge);
+      return false;
+    }
+    if (!tooLarge.empty())
+    {
+      this->Options.GenerateLimitNormals = false;
+      this->PlanLimit<Scheme>(level, *kept);
+    }
+  }
   if (steps > 0)
   {
     this->Parents = Scheme::FindParents(level, this->Control.Runs, this->Mesh.Cells.Simplices);
@@ -80,9 +126,10 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
   // Whether the last two operators are stored. If not, StepTwice makes the last two steps at once,
   // row by row; it cannot where operators are kept or blended, rows depend on sectors, values are
   // divided by weights, or the last level is needed.
-  const bool stored = keep || this->Options.ReadsLimit() || steps < 2 ||
+  const bool stored = keep || this->MakesLast || this->HasRings || steps < 2 ||
     this->Points->HasWeights() || HasEqualCells(level.Complex) || !level.Strata.Sectors.empty() ||
     IsSharpAfter(this->Control.Sharpness, steps - 2);
+  LimitKinds<typename Scheme::Id> kinds;
   for (int step = 0; step < steps; ++step)
   {
     if (this->IsStopped((step + 1.) / (steps + 1.)))
@@ -95,11 +142,11 @@ bool UniformRun::Step(typename Scheme::Level& level, KeptOperator* keep)
     }
     if (step + 2 == steps && !stored)
     {
-      this->StepTwice<Scheme>(level);
+      this->StepTwice<Scheme>(level, *kept);
       return true;
     }
-    step + 1 == steps ? this->StepLast<Scheme>(level, *kept, keep != nullptr)
-                      : this->StepOnce<Scheme>(level, step, keep ? kept.get() : nullptr);
+    step + 1 == steps ? this->StepLast<Scheme>(level, kinds, *kept, keep != nullptr)
+                      : this->StepOnce<Scheme>(level, kinds, step, keep ? kept.get() : nullptr);
   }
   if (keep && (steps > 0 || this->Options.ReadsLimit() || this->Interpolates()))
   {
@@ -117,8 +164,8 @@ void UniformRun::StepNever(typename Scheme::Level& level, Kept<Scheme>& kept, Ke
     : CopyCells(this->Mesh.Cells.Simplices, this->Control.Runs,
         Scheme::Traits.HasPieces ? this->Mesh.MadeLevels : -1, this->Options.Use32BitIds);
   this->GatherDerived<Scheme>(level, 0);
-  this->GoToLimit<Scheme>(level, kept);
-  this->FinishPoints(true);
+  this->FindLimit<Scheme>(level, kept);
+  this->FinishPoints<Scheme>(kept, true);
   this->AddClassification(level.Strata.Vertices, Buffer<Stratum>());
   if (keep)
   {
@@ -195,11 +242,20 @@ std::vector<ColourMask> UniformRun::FindColours(const typename Scheme::Level& le
 
 /// A step that is not the last one. `kept` is null where operators are not kept.
 template <typename Scheme>
-void UniformRun::StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>* kept)
+void UniformRun::StepOnce(typename Scheme::Level& level, LimitKinds<typename Scheme::Id>& kinds,
+  int step, Kept<Scheme>* kept)
 {
-  const bool further = this->Options.ReadsLimit() || step + 2 < this->Options.Levels;
+  const bool further = this->MakesLast || this->HasRings || step + 2 < this->Options.Levels;
   std::vector<ColourMask> colours = this->FindColours<Scheme>(level, step);
   typename Scheme::Level next = Refine(level, further ? Depth::ForRefinement : Depth::ForOutput);
+  if (this->HasRings && HasSolids(next))
+  {
+    kinds.Refine(level);
+    if (step == 0)
+    {
+      kinds.FindOwn(next);
+    }
+  }
   this->Control.Runs = RefineRuns(this->Control.Runs, 1);
   this->Control.DerivedRuns = RefineRuns(this->Control.DerivedRuns, 1);
   Stencils<typename Scheme::Id> stencils = this->TakeOperator<Scheme>(level, step);
@@ -215,21 +271,34 @@ void UniformRun::StepOnce(typename Scheme::Level& level, int step, Kept<Scheme>*
 /// The last step. Cells are made first, and pieces are chosen in a second pass over the cells:
 /// cells that are kept must not depend on points, and points may still go to the limit.
 template <typename Scheme>
-void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, bool keeps)
+void UniformRun::StepLast(typename Scheme::Level& level,
+  const LimitKinds<typename Scheme::Id>& kinds, Kept<Scheme>& kept, bool keeps)
 {
   const int step = this->Options.Levels - 1;
   const std::unique_ptr<LevelCut<Scheme>> cut = this->CutOff<Scheme>(level, kept);
   this->GatherDerived<Scheme>(level, 1);
-  if (Scheme::Traits.HasPieces && !keeps && !this->Options.ReadsLimit() &&
+  if (Scheme::Traits.HasPieces && !keeps && !this->MakesLast && !this->HasRings &&
     level.Strata.Sectors.empty() && !IsSharpAfter(this->Control.Sharpness, step))
   {
-    this->StepLastInPieces<Scheme>(level);
+    this->StepLastInPieces<Scheme>(level, kept);
     return;
   }
   this->MakeCells<Scheme>(level, 1, nullptr);
+  if (this->HasRings)
+  {
+    const BlockOperator<typename Scheme::Id> limits = FindNextLimits(level, kinds);
+    if (!keeps && !IsSharpAfter(this->Control.Sharpness, step))
+    {
+      this->Points->Advance(RowsWithSectors<typename Scheme::Id>(level));
+      this->FinishPoints<Scheme>(kept, !this->SameCells, &limits);
+      this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
+      return;
+    }
+    kept.GetLimit().Rows = limits.Store();
+  }
   typename Scheme::Level next;
   std::vector<ColourMask> colours;
-  if (this->Options.ReadsLimit())
+  if (this->MakesLast)
   {
     colours = this->FindColours<Scheme>(level, step);
     next = Refine(level, Depth::ForRefinement);
@@ -238,8 +307,8 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
   level = std::move(next);
   this->Points->Advance(stencils);
   this->Points->KeepColours(colours);
-  this->GoToLimit<Scheme>(level, kept);
-  this->FinishPoints(!this->SameCells);
+  this->FindLimit<Scheme>(level, kept);
+  this->FinishPoints<Scheme>(kept, !this->SameCells);
   this->AddClassification(stencils.Vertices, stencils.Edges);
   if (keeps)
   {
@@ -250,36 +319,36 @@ void UniformRun::StepLast(typename Scheme::Level& level, Kept<Scheme>& kept, boo
 /// The last step of a scheme with pieces, with cells after points: one pass over the cells. The
 /// level stays whole for them.
 template <typename Scheme>
-void UniformRun::StepLastInPieces(const typename Scheme::Level& level)
+void UniformRun::StepLastInPieces(const typename Scheme::Level& level, Kept<Scheme>& kept)
 {
   this->Points->Advance(LevelRows<typename Scheme::Id>(level));
   this->MakeCells<Scheme>(level, 1, this->Points->GetPoints());
-  this->FinishPoints(true);
+  this->FinishPoints<Scheme>(kept, true);
   this->AddClassification(level.Strata.Vertices, level.Strata.Edges);
 }
 
 /// The last two steps without the level between them. Of the last one only rows that the output
 /// needs are made.
 template <typename Scheme>
-void UniformRun::StepTwice(const typename Scheme::Level& level)
+void UniformRun::StepTwice(const typename Scheme::Level& level, Kept<Scheme>& kept)
 {
   this->Points->Advance(LevelRows<typename Scheme::Id>(level));
   if (this->Wanted.IsAll())
   {
-    this->StepTwice<Scheme>(level, typename Scheme::ChildRows(level), nullptr);
+    this->StepTwice<Scheme>(level, typename Scheme::ChildRows(level), nullptr, kept);
     return;
   }
   const LevelCut<Scheme> cut = this->MakeCut<Scheme>(level, 2);
   const typename Scheme::Level part = cut.Cut(level);
   const auto children = cut.SelectChildren(part);
-  this->StepTwice<Scheme>(part, typename Scheme::ChildRows(level, &children), &cut);
+  this->StepTwice<Scheme>(part, typename Scheme::ChildRows(level, &children), &cut, kept);
 }
 
 /// Makes the last step of these rows, and the cells of a level two steps before, which is the part
 /// of `cut` unless that is null.
 template <typename Scheme>
 void UniformRun::StepTwice(const typename Scheme::Level& level,
-  const typename Scheme::ChildRows& last, const LevelCut<Scheme>* cut)
+  const typename Scheme::ChildRows& last, const LevelCut<Scheme>* cut, Kept<Scheme>& kept)
 {
   this->GatherDerived<Scheme>(level, 2);
   this->Points->Advance(last);
@@ -289,7 +358,7 @@ void UniformRun::StepTwice(const typename Scheme::Level& level,
       [cut](vtkIdType point) { return cut->GetVertex(point); }, cut->GetNumberOfVertices());
   }
   this->MakeCells<Scheme>(level, 2, this->Points->GetPoints());
-  this->FinishPoints(true);
+  this->FinishPoints<Scheme>(kept, true);
   if (this->Options.GenerateClassification)
   {
     this->AddClassificationOf(last);
@@ -314,20 +383,44 @@ void UniformRun::AddClassificationOf(const Rows& last)
   this->AddClassification(vertices, edges);
 }
 
-/// Moves the vertices of the last level to their limits, and computes normals and tangents.
+/// Finds how normals, tangents and limits are computed, if the last level is not needed for them.
+/// Else that level is made.
 template <typename Scheme>
-void UniformRun::GoToLimit(const typename Scheme::Level& level, Kept<Scheme>& kept)
+void UniformRun::PlanLimit(const typename Scheme::Level& level, Kept<Scheme>& kept)
 {
-  if (this->Options.ReadsLimit())
+  LimitOperators<typename Scheme::Id>& limit = kept.GetLimit();
+  limit.HasNormals = this->Options.GenerateLimitNormals;
+  limit.HasTangents = this->Options.GenerateTangents;
+  const int steps = this->Options.Levels;
+  const bool needsRows =
+    this->Options.ProjectToLimit && this->Options.Scheme != StampScheme::Linear;
+  this->HasRings = this->ReadsRings(HasSolids(level));
+  this->HasFrames = this->Options.HasFrames() && (this->HasRings || !needsRows) &&
+    !IsSharpAfter(this->Control.Sharpness, steps) &&
+    limit.FindFrames(level, { this->Control.Solids, this->Mesh.MadeLevels }, steps);
+  this->MakesLast =
+    (needsRows && !this->HasRings) || (this->Options.HasFrames() && !this->HasFrames);
+  this->HasRings = this->HasRings && !this->MakesLast;
+}
+
+/// Finds what is missing in the operators that follow the last step, by its level.
+template <typename Scheme>
+void UniformRun::FindLimit(const typename Scheme::Level& level, Kept<Scheme>& kept) const
+{
+  if (!this->MakesLast)
   {
-    LimitOperators<typename Scheme::Id> limit(level,
-      BuildSharpStages<Scheme>(
-        this->Mesh, this->Options.Features, this->Control, this->Options.Levels),
-      { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels },
-      this->Options.ProjectToLimit, this->Options.GenerateLimitNormals,
-      this->Options.GenerateTangents);
-    limit.Apply(*this->Points, this->Mesh.Inverted, this->Turned);
-    kept.SetLimit(std::move(limit));
+    return;
+  }
+  const auto creases = BuildSharpStages<Scheme>(
+    this->Mesh, this->Options.Features, this->Control, this->Options.Levels);
+  if (this->Options.ProjectToLimit && this->Options.Scheme != StampScheme::Linear)
+  {
+    kept.GetLimit().Rows = BuildLimitRows(level, creases);
+  }
+  if (this->Options.HasFrames() && !this->HasFrames)
+  {
+    kept.GetLimit().FindFrames(
+      level, creases, { this->Control.Solids, this->Mesh.MadeLevels + this->Options.Levels });
   }
 }
 
@@ -348,6 +441,18 @@ void UniformRun::GatherDerived(const typename Scheme::Level& level, int steps)
   this->Derived.Tuples =
     GatherTuples(level.Complex, this->Control.DerivedRuns, steps, Scheme::CountCentres(level));
   this->LowerSharpness();
+}
+
+template <typename Scheme>
+void UniformRun::FinishPoints(
+  Kept<Scheme>& kept, bool ownsCells, const BlockOperator<typename Scheme::Id>* limits)
+{
+  kept.GetLimit().Apply(*this->Points, this->Mesh.Inverted, this->Turned);
+  if (limits)
+  {
+    this->Points->Project(*limits);
+  }
+  this->FinishPoints(ownsCells);
 }
 
 /// Writes points, point data and cells. `ownsCells`: no other output has these cells.

@@ -4,6 +4,7 @@
 #include "Core/Memory/CellSplits.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/TetOrder.h"
+#include "Core/Solids/Strata/SharpSkin.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/CellArrays.h"
@@ -21,12 +22,6 @@
 
 namespace subdivision
 {
-namespace
-{
-
-constexpr const char* DimensionName = "ManifoldDimension";
-
-}
 
 bool UniformRun::Run()
 {
@@ -75,17 +70,87 @@ bool UniformRun::Plan()
   {
     this->Options.Warn(warning);
   }
-  return this->Found ||
-    std::visit(
-      [this](const auto& level)
+  this->DecideNormals();
+  std::string tooLarge = this->Found ? std::string() : this->CheckLevels();
+  if (!tooLarge.empty() && this->Options.NormalsWhereSmooth)
+  {
+    this->Options.GenerateLimitNormals = false;
+    tooLarge = this->CheckLevels();
+  }
+  if (!tooLarge.empty())
+  {
+    this->Options.Fail(tooLarge);
+  }
+  return tooLarge.empty();
+}
+
+/// Decides whether there are normals, where they are wanted for a picture alone.
+void UniformRun::DecideNormals()
+{
+  if (this->Options.NormalsWhereSmooth)
+  {
+    this->Options.GenerateLimitNormals =
+      this->Found ? this->Found->HasNormals : !this->IsNarrow && this->LooksSmooth();
+  }
+}
+
+/// Whether normals make no picture worse.
+bool UniformRun::LooksSmooth()
+{
+  const std::vector<unsigned char>& dimensions = this->Mesh.Cells.Simplices.Dimensions;
+  const auto isOther = [&dimensions](unsigned char dimension)
+  { return dimension != dimensions[0]; };
+  if (dimensions.empty() || dimensions[0] < 2 ||
+    std::any_of(dimensions.begin(), dimensions.end(), isOther) ||
+    IsSharpAfter(this->Control.Sharpness, this->Options.Levels))
+  {
+    return false;
+  }
+  return std::visit(
+    [this, &dimensions](const auto& level)
+    {
+      const auto& complex = level.Complex;
+      const auto& strata = level.Strata;
+      std::vector<unsigned char> faces; // at each edge of a surface
+      if (dimensions[0] == 2)
       {
-        using Scheme = SchemeOf<std::decay_t<decltype(level)>>;
-        return this->HasMemoryFor(this->IsNarrow
-            ? CountSimplices(this->Split.Simplices, Scheme::Traits)
-            : CountSimplices<Scheme>(level),
-          sizeof(typename Scheme::Id));
-      },
-      this->Current);
+        faces.resize(static_cast<std::size_t>(complex.NumberOfEdges), 0);
+        for (const auto edge : InTurn(complex.FaceEdges))
+        {
+          faces[edge] = static_cast<unsigned char>(std::min(faces[edge] + 1, 2));
+        }
+      }
+      if (HasSharpSkin(
+            complex.EdgeVertices, complex.NumberOfVertices,
+            [&strata](auto vertex) { return strata.Vertices[vertex]; },
+            [&strata](auto edge) { return strata.Edges[edge]; },
+            [&faces](auto edge) { return !faces.empty() && faces[edge] == 1; }))
+      {
+        return false;
+      }
+      if (dimensions[0] == 2)
+      {
+        this->Sides = FindTriangleSides(level, {});
+      }
+      const std::vector<unsigned char>& twisted = this->Sides.Twisted;
+      return std::find(twisted.begin(), twisted.end(), 1) == twisted.end();
+    },
+    this->Current);
+}
+
+/// Checks whether there is memory for the levels. Returns a text if there is not.
+std::string UniformRun::CheckLevels() const
+{
+  return std::visit(
+    [this](const auto& level)
+    {
+      using Scheme = SchemeOf<std::decay_t<decltype(level)>>;
+      return this->CheckLevels(this->IsNarrow
+          ? CountSimplices(this->Split.Simplices, Scheme::Traits)
+          : CountSimplices<Scheme>(level),
+        sizeof(typename Scheme::Id));
+    },
+    this->Current);
 }
 
 /// Reads the control mesh.
@@ -196,7 +261,16 @@ bool UniformRun::BuildLevel()
   return isTrue;
 }
 
-bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) const
+/// Whether the rings of the level before the last one tell limits (RegularLimits.h), unless normals
+/// need the last level. Points of the linear scheme are on the limit.
+bool UniformRun::ReadsRings(bool hasSolids) const
+{
+  return this->Options.ProjectToLimit && this->Options.Scheme != StampScheme::Linear &&
+    this->Options.Levels > (hasSolids ? 1 : 0) && !this->IsNarrow && !this->Points->HasWeights() &&
+    !IsSharpAfter(this->Control.Sharpness, this->Options.Levels);
+}
+
+std::string UniformRun::CheckLevels(const LevelCounts& counts, double bytesPerId) const
 {
   SizeEstimate estimate;
   estimate.Control = counts;
@@ -205,15 +279,16 @@ bool UniformRun::HasMemoryFor(const LevelCounts& counts, double bytesPerId) cons
   estimate.BytesPerPoint = this->Points->GetBytesPerPoint();
   estimate.BytesPerCell = GetBytesPerTuple(this->Input->GetCellData());
   estimate.BytesPerId = bytesPerId;
-  estimate.Projects = this->Options.ReadsLimit();
+  // Normals and limits mostly need no last level (PlanLimit).
+  estimate.ProjectsByRings =
+    !this->MakesLast && this->ReadsRings(counts.Tets + counts.Octahedra > 0.);
+  estimate.KeepsRows = this->Options.Cache || this->Options.Factors;
+  const bool takesSkin =
+    !this->MakesLast && (!this->Options.ProjectToLimit || estimate.ProjectsByRings);
+  estimate.Projects = this->Options.ReadsLimit() && !takesSkin;
   estimate.Frames =
     (this->Options.GenerateLimitNormals ? 1 : 0) + (this->Options.GenerateTangents ? 2 : 0);
-  const std::string tooLarge = CheckMemory(estimate);
-  if (!tooLarge.empty())
-  {
-    this->Options.Fail(tooLarge);
-  }
-  return tooLarge.empty();
+  return CheckMemory(estimate);
 }
 
 // ------------------------------------------------------------------------------------------------
@@ -272,18 +347,44 @@ void UniformRun::Write()
   }
 }
 
+namespace
+{
+
+/// Whether cells keep their types: all partitions do the same.
+bool KeepsTypes(vtkPointSet* input, const UniformOptions& options)
+{
+  if (!options.KeepsTypesIfPossible)
+  {
+    return options.KeepCellTypes;
+  }
+  const bool isWorthIt = HasUncutCells(input);
+  return options.Others ? options.Others->Max(isWorthIt ? 1 : 0) > 0 : isWorthIt;
+}
+
+}
+
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& given, vtkUnstructuredGrid* output)
 {
   UniformOptions options = given;
   options.Features.ModifiedBoundary =
     given.Features.ModifiedBoundary && given.Scheme != StampScheme::Linear; // whose points stay
+  const bool keepsTypes = KeepsTypes(input, options);
+  if (keepsTypes && !options.NeedsCuts)
+  {
+    return RefineKeepingTypes(input, options, output);
+  }
+  if (keepsTypes)
+  {
+    options.Warn(std::string(options.NeedsCuts) +
+      " is not available with VolumeScheme = Hybrid. VolumeScheme = Automatic takes BoxSpline, "
+      "which cuts all cells.");
+  }
   if (options.Places)
   {
     return UniformRun(input, options, output).FindPlaces(*options.Places);
   }
-  return options.KeepCellTypes ? RefineKeepingTypes(input, options, output)
-                               : UniformRun(input, options, output).Run();
+  return UniformRun(input, options, output).Run();
 }
 
 bool FindUniformOperators(

@@ -25,16 +25,29 @@ struct UniformOptions : LevelOptions
     return this->ProjectToLimit || (this->Levels > 0 && this->Scheme != StampScheme::Linear);
   }
   bool KeepsCopies = false;   ///< all cells of a part, also of others, are made to the end
-  bool KeepCellTypes = false; ///< with StampScheme::Linear
+  bool KeepCellTypes = false; ///< smooth unless with StampScheme::Linear
+  /// Whether to do so where a cell would be cut, and neither an option nor a cell forbids it.
+  bool KeepsTypesIfPossible = false;
+  /// The name of a wish that needs cut cells; null: there is none.
+  const char* NeedsCuts = nullptr;
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then
 /// empties the output.
 bool SubdivideUniformly(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
-/// The same with KeepCellTypes: linear refinement that keeps the types of cells (KeptTypes.cxx).
+/// The same of a mesh whose sides are joined, with the texture coordinates of the mesh before,
+/// `torn`: they are subdivided there, with corners by FindSeamCorners (UniformSeams.cxx). Both
+/// meshes have their cells in the same order. Points on seams get copies, which come after all
+/// others.
+bool SubdivideWithSeams(vtkPointSet* joined, vtkPointSet* torn, const UniformOptions& options,
+  vtkUnstructuredGrid* output);
+/// The same with KeepCellTypes: every cell keeps its type, linear or, by another scheme, smooth
+/// (HybridRun.cxx).
 bool RefineKeepingTypes(
   vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
+/// Whether a mesh has cells that keep their types there, and are cut elsewhere.
+bool HasUncutCells(vtkPointSet* input);
 
 /// The operators of the steps from one mesh, and the mesh after them.
 struct UniformOperators

@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <unordered_map>
 #include <utility>
 
 namespace subdivision

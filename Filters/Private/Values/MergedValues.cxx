@@ -60,28 +60,31 @@ std::string ListReplaced(const ReplacedValues& replaced, bool ofTexture)
 
 }
 
-void DescribeReplaced(
-  const ReplacedValues& replaced, MergedValues rule, std::vector<std::string>& warnings)
+void DescribeReplaced(const ReplacedValues& replaced, MergedValues rule, bool ofSides,
+  std::vector<std::string>& warnings)
 {
+  const std::string option = ofSides ? "JoinSides" : "MergePoints";
+  const std::string set = ofSides ? "witch MergePoints on, and set" : "et";
   const std::string values = ListReplaced(replaced, false);
   const std::string texture = ListReplaced(replaced, true);
   if (!values.empty())
   {
-    warnings.push_back("MergePoints: points that become one differ in " + values +
+    warnings.push_back(option + ": points that become one differ in " + values +
       ", and the first of them, by its id, gives the value. " +
       (rule == MergedValues::First
-          ? "Set MergedValues to Average or Keep to have the mean, or a value on either side."
+          ? "S" + set +
+            " MergedValues to Average or Keep to have the mean, or a value on either side."
           : "Means and jumps exist for floating point numbers only; InterpolateIntegers takes "
-            "means "
-            "of integers, too."));
+            "means of integers, too."));
   }
   if (!texture.empty())
   {
-    warnings.push_back("MergePoints: points that become one differ in the texture coordinates " +
+    warnings.push_back(option + ": points that become one differ in the texture coordinates " +
       texture +
       ". The filter leaves them out, because cells at the seam would show a wrong part of the "
       "texture. Use JoinSeams of vtkSurfaceSubdivision instead, which the schemes Loop, "
-      "ModifiedButterfly, CatmullClark and Linear have, or set MergedValues to Keep.");
+      "ModifiedButterfly, CatmullClark and Linear have, or s" +
+      set + " MergedValues to Keep.");
   }
 }
 

@@ -47,9 +47,10 @@ struct Replaced
 /// By the names of arrays.
 using ReplacedValues = std::map<std::string, Replaced>;
 
-/// Warns of values that are replaced by values of the first point, and of texture coordinates.
-void DescribeReplaced(
-  const ReplacedValues& replaced, MergedValues rule, std::vector<std::string>& warnings);
+/// Warns of values that are replaced by values of the first point, and of texture coordinates;
+/// `ofSides`: by JoinSides.
+void DescribeReplaced(const ReplacedValues& replaced, MergedValues rule, bool ofSides,
+  std::vector<std::string>& warnings);
 /// Warns of cells with points that become one, and of points of one part that keep no values.
 void DescribeCollapsed(vtkIdType cells, vtkIdType first, std::vector<std::string>& warnings);
 void DescribeTorn(vtkIdType torn, std::vector<std::string>& warnings);

@@ -11,7 +11,6 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>

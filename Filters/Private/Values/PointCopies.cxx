@@ -4,7 +4,6 @@
 #include "Private/ArrayNames.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace subdivision
 {

@@ -173,11 +173,19 @@ TEST(SmoothnessOfSurfaces, OthersAtBoundaries)
     ExpectSmooth(Examine(Scheme::ModifiedButterfly, k, Kind::Curve));
     EXPECT_EQ(Examine(Scheme::CatmullClark, k, Kind::Curve, false).Condition,
       k <= 3 ? Answer::Yes : Answer::No);
-    EXPECT_EQ(
-      Examine(Scheme::FourEight, k, Kind::Curve).Condition, k <= 3 ? Answer::Yes : Answer::No);
+    EXPECT_EQ(Examine(Scheme::FourEight, k, Kind::Curve, false).Condition,
+      k <= 3 ? Answer::Yes : Answer::No);
+    const SmoothnessFacts fourEight = Examine(Scheme::FourEight, k, Kind::Curve);
+    ExpectPair(fourEight, 1. / 2.);
+    ExpectSmooth(fourEight);
+    const SmoothnessFacts plain = Examine(Scheme::SqrtThree, k, Kind::Curve, false);
+    EXPECT_EQ(plain.Condition, k <= 5 ? Answer::Yes : Answer::No);
+    EXPECT_NEAR(plain.Eigenvalues[k == 2 ? 2 : 1], (2. + 2. * Cosine(1, k)) / 9., 1e-8);
     const SmoothnessFacts three = Examine(Scheme::SqrtThree, k, Kind::Curve);
-    EXPECT_EQ(three.Condition, k <= 5 ? Answer::Yes : Answer::No);
-    EXPECT_NEAR(three.Eigenvalues[k == 2 ? 2 : 1], (2. + 2. * Cosine(1, k)) / 9., 1e-8);
+    ExpectPair(three, 1. / 3.);
+    EXPECT_NEAR(three.Eigenvalues[3],
+      std::max(1. / 9., (1. + Cosine(2, k)) / (3. + 3. * Cosine(1, k))), 1e-8);
+    ExpectSmooth(three);
     EXPECT_EQ(Examine(Scheme::DooSabin, k, Kind::Curve).Condition, Answer::None);
   }
 }

@@ -26,7 +26,7 @@ TEST(AdaptiveSqrtThree, SplitEverywhereIsTheUniformMesh)
 {
   for (const auto& [name, model] : MakeAdaptiveZoo())
   {
-    Walk uniform(model, SurfaceSchemeKind::SqrtThree);
+    Walk uniform(model, SurfaceSchemeKind::SqrtThree, false);
     for (int level = 0; level <= 5; ++level)
     {
       SCOPED_TRACE(name + ", level " + std::to_string(level));
@@ -177,7 +177,7 @@ TEST(AdaptiveSqrtThree, RandomFacesAreAPartOfTheUniformHierarchy)
         model.Faces.push_back({ first, second, third });
       }
     }
-    Walk uniform(model, SurfaceSchemeKind::SqrtThree);
+    Walk uniform(model, SurfaceSchemeKind::SqrtThree, false);
     for (int level = 0; level < 4; ++level)
     {
       uniform.Step();

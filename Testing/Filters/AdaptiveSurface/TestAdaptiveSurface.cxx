@@ -48,7 +48,7 @@ TEST(AdaptiveSurface, EverythingWantedIsTheUniformMeshAtTheLimit)
     for (int level : { 0, 1, 2, 5 })
     {
       SCOPED_TRACE(name + ", level " + std::to_string(level));
-      const PolyData uniform = RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, level, true);
+      const PolyData uniform = RunPlainSqrtThree(input, level);
       auto marked = PolyData::New();
       marked->ShallowCopy(input);
       WantLevel(marked, 7);
@@ -303,7 +303,7 @@ TEST(AdaptiveSurface, NormalsAreThoseOfTheUniformMesh)
     for (int level : { 0, 1, 2, 3, 4 })
     {
       SCOPED_TRACE(name + ", level " + std::to_string(level));
-      const PolyData uniform = RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, level, true);
+      const PolyData uniform = RunPlainSqrtThree(input, level);
       auto marked = PolyData::New();
       marked->ShallowCopy(input);
       WantLevel(marked, 9);

@@ -30,7 +30,7 @@ TEST(AdaptiveSurface, TheGeometricErrorIsBelowTheTolerance)
     EXPECT_GT(generations->GetValueRange()[1], 1);
   }
   // Uniform steps to the same error take more.
-  const PolyData uniform = RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, 4, true);
+  const PolyData uniform = RunPlainSqrtThree(input, 4);
   const double error = GetLargestDistance(fine, uniform);
   const PolyData output = RefineByShape(input, error);
   EXPECT_LE(GetLargestDistance(fine, output), error);
@@ -131,8 +131,7 @@ TEST(AdaptiveSurface, RandomMeshesAreWithinTheTolerance)
         filter->SetGeometricTolerance(tolerance);
         filter->SetMaximumLevel(12);
       });
-    EXPECT_LE(
-      MeasureError(output, RunFilter(input, vtkSurfaceSubdivision::SQRT_THREE, 6, true)), allowed);
+    EXPECT_LE(MeasureError(output, RunPlainSqrtThree(input, 6)), allowed);
     const PolyData loop = RefineLoop(input, tolerance);
     EXPECT_LE(MeasureError(loop, MakeLoopLimit(input, 4)), allowed);
     triangles += output->GetNumberOfPolys();

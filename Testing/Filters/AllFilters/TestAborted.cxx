@@ -20,6 +20,7 @@
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphere.h"
 #include "vtkSubdivisionCageSource.h"
+#include "vtkSubdivisionEdit.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
 
@@ -356,6 +357,21 @@ TEST(Aborted, FiltersWithoutSubdivision)
   };
   CheckStops("dimensions", { box }, dimensions);
   CheckStops("dimensions of blocks", { MakeBlocks({ box, box }) }, dimensions);
+  for (const bool alongEdges : { false, true })
+  {
+    const auto edit = [&box, alongEdges]
+    {
+      auto filter = vtkSmartPointer<vtkSubdivisionEdit>::New();
+      filter->SetTranslation(0., 0., 1.);
+      filter->SetFrameToLocal();
+      filter->SetFalloffRadius(0.2);
+      filter->SetFalloffAlong(alongEdges ? 1 : 0);
+      filter->AddPaintedArray("Painted");
+      filter->SetInputDataObject(2, box);
+      return filter;
+    };
+    CheckStops("edit", { box }, edit);
+  }
   CheckStops("cage", { box },
     []
     {

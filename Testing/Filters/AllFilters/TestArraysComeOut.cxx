@@ -19,6 +19,7 @@
 #include "vtkRedGreenRefinement.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionCageSource.h"
+#include "vtkSubdivisionEdit.h"
 #include "vtkSubdivisionLimitProbe.h"
 #include "vtkSubdivisionSmoothness.h"
 #include "vtkSurfaceSubdivision.h"
@@ -181,6 +182,11 @@ std::vector<Case> ListCases()
     { "smoothness", MakeSurface, Make<vtkSubdivisionSmoothness>([](auto*) {}), Everything,
       Nothing },
     { "dimensions", MakeSolid, Make<vtkExtractDimensions>([](auto*) {}), Everything, Everything },
+    { "an edit of nothing", MakeSolid, Make<vtkSubdivisionEdit>([](auto*) {}), Everything,
+      Everything },
+    { "edit", MakeSolid,
+      Make<vtkSubdivisionEdit>([](auto* filter) { filter->SetTranslation(0., 0., 1.); }), PointIds,
+      PointIds },
     { "deformation", MakeSurface,
       Make<vtkSubdivisionDeformation>(
         [](auto* filter)

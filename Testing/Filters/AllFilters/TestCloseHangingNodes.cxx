@@ -245,6 +245,7 @@ TEST(CloseHangingNodes, AcrossBlocks)
     blocks->SetBlock(part, builder.Make());
   }
   vtkNew<Filter> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(blocks);

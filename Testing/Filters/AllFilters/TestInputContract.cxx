@@ -65,6 +65,7 @@ vtkIdType CountNotFinite(vtkDataObject* data)
 void SetUp(vtkMultiDimensionalSubdivision* filter, const Trial& trial)
 {
   filter->SetNumberOfLevels(1);
+  filter->SetVolumeSchemeToBoxSpline();
   if (trial.Set)
   {
     trial.Set(filter);

@@ -60,6 +60,7 @@ TEST(InputNormals, AreReplacedOrLeftOut)
   {
     vtkNew<vtkMultiDimensionalSubdivision> solids;
     solids->SetGenerateLimitNormals(generates);
+    solids->SmoothShadingOff();
     ExpectOwnNormals(RunOn(solids, sphere), generates);
     for (int scheme = vtkSurfaceSubdivision::LOOP; scheme <= vtkSurfaceSubdivision::SQRT_THREE;
       ++scheme)
@@ -68,6 +69,7 @@ TEST(InputNormals, AreReplacedOrLeftOut)
       vtkNew<vtkSurfaceSubdivision> surfaces;
       surfaces->SetScheme(scheme);
       surfaces->SetGenerateLimitNormals(generates);
+      surfaces->SmoothShadingOff();
       ExpectOwnNormals(RunOn(surfaces, sphere), generates);
     }
     vtkNew<vtkAdaptiveSurfaceSubdivision> adaptive;
@@ -84,6 +86,7 @@ TEST(InputNormals, OfAnEarlierFilterAreLeftOut)
   first->SetGenerateLimitNormals(true);
   RunOn(first, sphere);
   vtkNew<vtkSurfaceSubdivision> second;
+  second->SmoothShadingOff();
   vtkPointSet* output = RunOn(second, first->GetOutput());
   EXPECT_FALSE(output->GetPointData()->HasArray("LimitNormals"));
   EXPECT_EQ(output->GetPointData()->GetNormals(), nullptr);

@@ -220,6 +220,7 @@ TEST(MergePoints, ACubeOfSixQuads)
     filter->SetInputData(cube);
     filter->SetSchemeToCatmullClark();
     filter->SetNumberOfLevels(1);
+    filter->JoinSidesOff();
     filter->SetMergePoints(merges);
     filter->Update();
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 24);

@@ -15,8 +15,8 @@
 using namespace bezier_tools;
 using place_tools::Evaluate;
 using place_tools::Places;
+using subdivision::FrameNode;
 using subdivision::LatticePart;
-using subdivision::LatticePoint;
 using subdivision::PatchShape;
 
 namespace
@@ -90,10 +90,10 @@ private:
   void FindCorners()
   {
     Places places;
-    std::vector<std::pair<vtkIdType, LatticePoint>> keys;
+    std::vector<std::pair<vtkIdType, FrameNode>> keys;
     for (vtkIdType c = 0; c < this->Input->GetNumberOfCells(); ++c)
     {
-      for (LatticePoint at : GetShape(this->Input->GetCellType(c)).CornerPoints)
+      for (FrameNode at : GetShape(this->Input->GetCellType(c)).CornerPoints)
       {
         places.Add(c, { at[0] / 2., at[1] / 2., at[2] / 2. });
         std::transform(at.begin(), at.end(), at.begin(), [](int x) { return x * Divisions / 2; });
@@ -142,7 +142,7 @@ private:
     }
     return true;
   }
-  Point FindLimit(vtkIdType cell, const LatticePoint& at)
+  Point FindLimit(vtkIdType cell, const FrameNode& at)
   {
     const auto made = this->Limits.emplace(std::make_pair(cell, at), Point{});
     if (made.second)
@@ -160,7 +160,7 @@ private:
   int Levels;
   Evaluator Evaluate;
   std::vector<Part> Parts;
-  std::map<std::pair<vtkIdType, LatticePoint>, Point> Limits;
+  std::map<std::pair<vtkIdType, FrameNode>, Point> Limits;
 };
 
 /// Places everywhere in a cell: not those where the filter looks. `areFew`: for limits that take

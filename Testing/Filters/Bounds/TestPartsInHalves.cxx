@@ -55,10 +55,8 @@ public:
     {
       points[step] = this->Meshes[from + step]->GetNumberOfPoints();
     }
-    const subdivision::TetOctMesh before{ this->Meshes[from],
-      this->Meshes[from]->GetCellData()->GetArray("OctahedronId") };
-    return NestedPieces(
-      this->Meshes[from + NestedPieces::Steps], points, this->IsTetOct ? &before : nullptr);
+    return NestedPieces(this->Meshes[from + NestedPieces::Steps], points,
+      this->IsTetOct ? this->Meshes[from].Get() : nullptr);
   }
 
   Buffer<double> GetValues(int level) const

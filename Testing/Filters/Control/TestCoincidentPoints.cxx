@@ -52,7 +52,7 @@ const std::vector<Point> Places = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 
 
 std::vector<std::string> TellOf(const std::vector<Cell>& cells)
 {
-  return Tell(MakeGrid(Places, cells));
+  return Tell<Filter>(MakeGrid(Places, cells), [](Filter* filter) { filter->JoinSidesOff(); });
 }
 
 const Cell Tet = { VTK_TETRA, { 0, 1, 2, 3 } };
@@ -211,8 +211,10 @@ TEST(CoincidentPoints, OfTheOtherFilters)
     Tell<vtkSimplicialComplexTopology>(MakeGrid(Places, { Tet, { VTK_TETRA, { 5, 4, 6, 7 } } })),
     "3 points"));
   EXPECT_TRUE(Has(Tell<vtkSurfaceSubdivision>(MakeSeam(false)), "3 points"));
-  EXPECT_TRUE(Has(Tell<vtkAdaptiveSurfaceSubdivision>(MakeGrid(
-                    Places, { { VTK_TRIANGLE, { 0, 1, 3 } }, { VTK_TRIANGLE, { 5, 4, 8 } } })),
+  const Grid apart =
+    MakeGrid(Places, { { VTK_TRIANGLE, { 0, 1, 3 } }, { VTK_TRIANGLE, { 5, 4, 8 } } });
+  EXPECT_TRUE(Has(Tell<vtkAdaptiveSurfaceSubdivision>(
+                    apart, [](vtkAdaptiveSurfaceSubdivision* filter) { filter->JoinSidesOff(); }),
     "2 points"));
 }
 

@@ -153,6 +153,7 @@ TEST(FeaturesMarks, ThatStaySharpForSomeLevelsGoOn)
     vtkNew<Messages> messages; // random solids are thin
     messages->Watch(filter);
     filter->SetNumberOfLevels(2);
+    filter->SetVolumeSchemeToBoxSpline();
     SetSemiSharp(filter);
     filter->SetInputDataObject(mesh);
     filter->Update();

@@ -51,6 +51,7 @@ void ExpectBlocksAreWhole(vtkPointSet* mesh, const Make& make)
 vtkSmartPointer<vtkMultiDimensionalSubdivision> MakeUniform(int levels)
 {
   auto filter = vtkSmartPointer<vtkMultiDimensionalSubdivision>::New();
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetNumberOfLevels(levels);
   return filter;
 }

@@ -76,6 +76,7 @@ vtkSmartPointer<Composite> MakeComposite(const std::vector<Mesh>& meshes)
 vtkSmartPointer<vtkDataObject> RunFilterOn(vtkDataObject* input)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   UpdateInSilence(filter, input);
   return filter->GetOutputDataObject(0);
 }
@@ -258,6 +259,7 @@ TEST(GhostLengths, TooFewHideNothingWithKeptTypes)
   const auto run = [](vtkDataObject* input)
   {
     vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetVolumeSchemeToBoxSpline();
     filter->SetVolumeScheme(vtkMultiDimensionalSubdivision::LINEAR);
     filter->KeepCellTypesOn();
     filter->SetInputDataObject(input);

@@ -189,6 +189,7 @@ vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
 TEST(GhostTypes, LevelsOfAmrAreBlocks)
 {
   vtkNew<Filter> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(MakeLevels());
@@ -255,6 +256,7 @@ TEST(GhostTypes, RefinedCellsAndThoseOfHiddenPointsAreNotThere)
     vtkNew<vtkMultiBlockDataSet> blocks;
     blocks->SetBlock(0, grid);
     vtkNew<Filter> filter;
+    filter->SetVolumeSchemeToBoxSpline();
     filter->SetInputDataObject(blocks);
     filter->Update();
     auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));

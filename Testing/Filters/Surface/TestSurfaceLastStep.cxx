@@ -446,8 +446,6 @@ TEST_P(SurfaceLastStep, IsTheSameAsWithoutTheLevelBefore)
     {
       SCOPED_TRACE(entry.first + ", step " + std::to_string(step));
       unknown.Level.VerticesBefore = -1;
-      unknown.Level.FirstMade = -1;
-      unknown.Level.FanSizes = {};
       unknown.Scheme->Prepare(unknown.Level);
       ExpectEqual(known.Level.Places, unknown.Level.Places);
       const RowBlock<int> rows = known.GetRows();

@@ -92,7 +92,8 @@ TEST_P(SurfaceReplacedEdges, FlatGridsStayExact)
 {
   for (const Point& side : { Point{ 0.5, 0.8, 0.25 }, Point{ 0.25, 0.8, 0.5 } })
   {
-    Walk walk(MakeSheet(4, 3, OfTriangles, { 1., 0., 0. }, side), Kind);
+    // The rules for corners of two triangles are exact for triangles alike.
+    Walk walk(MakeSheet(4, 3, OfTriangles, { 1., 0., 0. }, side), Kind, false);
     for (int step = 0; step < 6; ++step)
     {
       const std::vector<Point> before = walk.Points;
@@ -169,7 +170,7 @@ TEST_P(SurfaceReplacedEdges, AnythingIsSubdivided)
       }
       for (const Point& p : walk.Points)
       {
-        EXPECT_LT(std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }), 2.);
+        EXPECT_LT(std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }), 3.); // flatness
       }
     }
     const auto output = RunFilter(MakeInput(model), Scheme, 2);

@@ -6,6 +6,8 @@
  */
 #include "SurfaceTools.h"
 
+#include <set>
+
 using namespace surfacetools;
 
 namespace
@@ -119,6 +121,114 @@ TEST(SurfaceShading, IsTheSameOnAllLevels)
           [](vtkSurfaceSubdivision* filter) { filter->ModifiedBoundaryOff(); });
       }
     }
+  }
+}
+
+/// One normal for all faces at a point would blur what is sharp.
+TEST(SurfaceShading, IsAutomaticWhereNothingIsSharp)
+{
+  const std::set<std::string> sharp = { "book", "bow tie", "touching tetrahedra", "crease",
+    "free line", "moebius" };
+  const auto run = [](vtkPolyData* input, int scheme, bool shades, bool normals)
+  {
+    return RunFilter(input, scheme, 2, false,
+      [=](vtkSurfaceSubdivision* filter)
+      {
+        filter->SetSmoothShading(shades);
+        filter->SetGenerateLimitNormals(normals);
+      });
+  };
+  for (const int scheme : Schemes)
+  {
+    const bool isCheap =
+      scheme == vtkSurfaceSubdivision::LOOP || scheme == vtkSurfaceSubdivision::CATMULL_CLARK;
+    for (const auto& [name, model] : MakeZoo(scheme == vtkSurfaceSubdivision::LOOP))
+    {
+      const auto input = MakeInput(model);
+      const auto output = run(input, scheme, true, false);
+      const bool has = isCheap && sharp.count(name) == 0;
+      EXPECT_EQ(output->GetPointData()->GetNormals() != nullptr, has) << name << " " << scheme;
+      ExpectSameBits(output, run(input, scheme, false, has));
+    }
+  }
+  Model sheet = MakeSheet(3, 3, false, { 1., 0., 0. }, { 0., 1., 0. });
+  sheet.Points[5][2] = 1.;
+  for (const bool isSharp : { false, true })
+  {
+    const auto output = RunFilter(MakeInput(sheet), vtkSurfaceSubdivision::CATMULL_CLARK, 1, false,
+      [&](vtkSurfaceSubdivision* filter)
+      {
+        filter->SetDetectFeatures(isSharp);
+        filter->SetFeatureAngle(20.);
+      });
+    EXPECT_EQ(output->GetPointData()->GetNormals() == nullptr, isSharp);
+  }
+}
+
+/// Whether there are normals depends on features, which the kept levels do not know.
+TEST(SurfaceShading, IsAutomaticWithACacheToo)
+{
+  Model sheet = MakeSheet(3, 3, false, { 1., 0., 0. }, { 0., 1., 0. });
+  sheet.Points[5][2] = 1.;
+  const auto input = MakeInput(sheet);
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(input);
+  filter->SetScheme(vtkSurfaceSubdivision::CATMULL_CLARK);
+  filter->SetNumberOfLevels(2);
+  filter->SetFeatureAngle(20.);
+  filter->CacheOperatorOn();
+  for (const bool isSharp : { false, true, true, false, true })
+  {
+    filter->SetDetectFeatures(isSharp);
+    input->GetPoints()->Modified();
+    input->Modified();
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNormals() == nullptr, isSharp);
+    ExpectSameBits(filter->GetOutput(),
+      RunFilter(input, vtkSurfaceSubdivision::CATMULL_CLARK, 2, false,
+        [&](vtkSurfaceSubdivision* plain)
+        {
+          plain->SetFeatureAngle(20.);
+          plain->SetDetectFeatures(isSharp);
+        }));
+  }
+}
+
+/// Creases that are sharp for some levels only leave the same tags as none.
+TEST(SurfaceShading, IsAutomaticWithACacheOfSemiSharpLevelsToo)
+{
+  const auto input = MakeInput(MakeSheet(3, 3, false, { 1., 0., 0. }, { 0., 1., 0.2 }));
+  const auto add = [&input](const char* name, double value)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      array->InsertNextValue(i >= 4 && i < 8 ? value : 0.);
+    }
+    input->GetPointData()->AddArray(array);
+  };
+  const auto configure = [](vtkSurfaceSubdivision* filter)
+  {
+    filter->SetInputArrayToProcess(8, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Marks");
+    filter->SetInputArrayToProcess(9, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Sharpness");
+    filter->MarkCreasesOn();
+    filter->MarkCornersOff();
+  };
+  add("Sharpness", 1.5);
+  vtkNew<vtkSurfaceSubdivision> filter;
+  filter->SetInputData(input);
+  filter->SetScheme(vtkSurfaceSubdivision::CATMULL_CLARK);
+  filter->SetNumberOfLevels(2);
+  filter->CacheOperatorOn();
+  configure(filter);
+  for (const bool isSharp : { true, false, true, false })
+  {
+    add("Marks", isSharp ? 1. : 0.);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNormals() == nullptr, isSharp);
+    ExpectSameBits(filter->GetOutput(),
+      RunFilter(input, vtkSurfaceSubdivision::CATMULL_CLARK, 2, false, configure));
   }
 }
 

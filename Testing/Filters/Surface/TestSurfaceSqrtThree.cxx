@@ -73,7 +73,8 @@ TEST(SurfaceSqrtThree, SpectrumAroundBoundaryVertices)
       walk.Step();
       std::multiset<long> expected{ 0, 0 };
       auto round = [](double value) { return std::lround(1e12 * value); };
-      const double value = (2. + 2. * std::cos(pi * m / k)) / 9.;
+      // The first wave shrinks to a third, as the curve does.
+      const double value = (1. + std::cos(pi * m / k)) / (1. + std::cos(pi / k)) / 3.;
       for (int j = 1; j < k; ++j)
       {
         expected.insert(round(value * std::sin(pi * m * j / k)));

@@ -23,6 +23,7 @@ Grid Classify(vtkDataObject* input, int levels, const Configure& setup)
   filter->SetInputDataObject(input);
   filter->SetNumberOfLevels(levels);
   filter->GenerateClassificationOn();
+  filter->SetVolumeSchemeToBoxSpline(); // vtkSimplicialComplexTopology tells of cut cells
   if (setup)
   {
     setup(filter);

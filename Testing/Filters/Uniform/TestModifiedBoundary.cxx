@@ -113,6 +113,7 @@ TEST(ModifiedBoundary, RegularBoundariesKeepTheirBits)
       {
         filter->SetInputArrayToProcess(10, 0, 0, 0, "None");
         filter->SetProjectToLimit(limit);
+        filter->SmoothShadingOff();
       });
     const Grid off = Execute(tube, 2,
       [=](Filter* filter)
@@ -120,6 +121,7 @@ TEST(ModifiedBoundary, RegularBoundariesKeepTheirBits)
         filter->SetInputArrayToProcess(10, 0, 0, 0, "None");
         filter->ModifiedBoundaryOff();
         filter->SetProjectToLimit(limit);
+        filter->SmoothShadingOff();
       });
     EXPECT_EQ(Compare(on, off), "");
   }
@@ -351,6 +353,7 @@ TEST(ModifiedBoundary, OnlyAnglesOfCornersChangeTheOperator)
   vtkNew<Filter> filter;
   SetAngles(filter.Get());
   const Grid box = MakeBox();
+  filter->SetVolumeSchemeToBoxSpline();
   filter->DetectFeaturesOn();
   const Grid first = UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), box);
   EXPECT_EQ(filter->GetNumberOfTopologyBuilds(), 1);

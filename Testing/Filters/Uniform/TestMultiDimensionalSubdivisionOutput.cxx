@@ -461,6 +461,7 @@ TEST(MultiDimensionalSubdivisionClassification, OfNewPoints)
 TEST(MultiDimensionalSubdivisionClassification, OffByDefault)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   EXPECT_FALSE(filter->GetGenerateClassification());
   EXPECT_FALSE(filter->GetGenerateOriginalIds());
   EXPECT_FALSE(filter->GetInterpolateIntegers());

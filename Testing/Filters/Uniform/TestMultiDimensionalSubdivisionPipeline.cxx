@@ -208,6 +208,7 @@ TEST(MultiDimensionalSubdivisionComposite, EveryBlockByItself)
   blocks->SetBlock(3, third);
   vtkNew<Messages> messages;
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
   filter->JoinBlocksOff();
@@ -237,6 +238,7 @@ TEST(MultiDimensionalSubdivisionComposite, EveryBlockByItself)
 TEST(MultiDimensionalSubdivisionPipeline, ExecutesAgainOnlyWhenSomethingChanged)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetInputData(MakeTorus(4, 4, VTK_DOUBLE));
   filter->Update();
   const vtkMTimeType time = filter->GetOutput()->GetMTime();

@@ -22,6 +22,7 @@ Grid MakeInput()
 Grid SubdivideTo(vtkDataObject* input, int dimensions, int levels = 1, bool cache = true)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   vtkNew<Messages> messages;
   messages->Watch(filter);
   filter->SetInputDataObject(input);
@@ -120,6 +121,7 @@ TEST(OutputDimensions, NothingToExtractIsTold)
   {
     vtkNew<vtkExtractDimensions> extract;
     vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetVolumeSchemeToBoxSpline();
     filter->SetOutputDimensions(8);
     vtkNew<Messages> messages;
     UpdateInSilence(inside ? static_cast<vtkAlgorithm*>(filter) : extract, shell, messages);
@@ -136,6 +138,7 @@ TEST(OutputDimensions, NothingToExtractIsTold)
 TEST(OutputDimensions, AreNamedByNumbersToo)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   vtkNew<vtkExtractDimensions> extract;
   filter->ClearOutputDimensions();
   extract->ClearOutputDimensions();
@@ -151,6 +154,7 @@ TEST(OutputDimensions, AreNamedByNumbersToo)
 TEST(OutputDimensions, ShareTheKeptOperator)
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetInputDataObject(MakeInput());
   filter->SetNumberOfLevels(2);
   filter->Update();
@@ -186,6 +190,7 @@ TEST(OutputDimensions, KeepTheStructureOfBlocks)
   blocks->SetBlock(0, input);
   blocks->SetBlock(2, input);
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   filter->SetInputDataObject(blocks);
   filter->SetJoinBlocks(false);
   vtkNew<vtkExtractDimensions> extract;

@@ -275,6 +275,7 @@ TEST(SubdivisionLimitProbe, SplitCellsAndErrors)
 {
   const Grid box = MakeMixedBox(2);
   vtkNew<vtkSubdivisionLimitProbe> filter;
+  filter->SetSchemeToBoxSpline();
   filter->SetInputDataObject(3, place_tools::MakeTargets({ { 0.4, 0.4, 0.4 }, { 1.4, 1.3, 1.2 } }));
   const auto found = UpdateWithoutErrors<vtkPolyData>(filter.Get(), box);
   ASSERT_EQ(found->GetNumberOfPoints(), 2);

@@ -410,9 +410,9 @@ TEST(TetOctFilter, ClassificationKnowsCentres)
   EXPECT_EQ(rules->GetComponent(34, 0), 3);
   EXPECT_EQ(rules->GetComponent(0, 0), 2);
   vtkNew<Filter> filter;
-  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::BOX_SPLINE));
+  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::AUTOMATIC));
   filter->SetVolumeScheme(7);
-  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::LINEAR));
+  EXPECT_EQ(filter->GetVolumeScheme(), int(Filter::AUTOMATIC));
 }
 
 TEST(TetOctFilter, CurvesAndSurfacesCostNoSolids)

@@ -68,6 +68,7 @@ vtkSmartPointer<vtkMultiBlockDataSet> RunOnBlocks(vtkMultiBlockDataSet* blocks, 
 {
   vtkNew<vtkMultiDimensionalSubdivision> filter;
   filter->SetNumberOfLevels(levels);
+  filter->SetVolumeSchemeToBoxSpline();
   configure(filter);
   vtkNew<Messages> messages;
   messages->Watch(filter);
@@ -308,6 +309,7 @@ TEST(MaterialFields, ForgedArrays)
     forged->GetPointData()->AddArray(
       MakeArray<vtkDoubleArray>(name, 2, mesh->GetNumberOfPoints(), 1., 2., 3));
     vtkNew<vtkMultiDimensionalSubdivision> filter;
+    filter->SetVolumeSchemeToBoxSpline();
     vtkNew<Messages> messages;
     messages->Watch(filter);
     filter->SetInputDataObject(forged);
@@ -434,6 +436,7 @@ TEST(MaterialFields, Blocks)
   const auto blocks = MakeBlocks(mesh, [](vtkIdType c) { return c % 2; });
   vtkNew<vtkMultiDimensionalSubdivision> filter;
   filter->SetNumberOfLevels(1);
+  filter->SetVolumeSchemeToBoxSpline();
   Jump(filter);
   vtkNew<Messages> messages;
   messages->Watch(filter);

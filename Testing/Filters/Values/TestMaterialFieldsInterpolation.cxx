@@ -280,6 +280,7 @@ TEST(MaterialFieldsInterpolation, KeptOperators)
 {
   const Grid mesh = MakeMeshes()[1];
   vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
   JumpInterpolated(filter);
   filter->ProjectToLimitOn();
   UpdateWithoutErrors<vtkUnstructuredGrid>(filter.Get(), mesh);

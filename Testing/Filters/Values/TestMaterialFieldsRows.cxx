@@ -46,16 +46,41 @@ Grid MakeChain()
   return AddMaterials(tets, [](vtkIdType c) { return static_cast<int>(c); });
 }
 
+/// The same of other types: the pyramid has a point of the hexahedron.
+Grid MakeMixedChain()
+{
+  const Grid mixed =
+    MakeGrid({ { 0., 0., 0. }, { 1., 0., 0. }, { 1., 1., 0. }, { 0., 1., 0. }, { 0., 0., 1. },
+               { 1., 0., 1. }, { 1., 1., 1. }, { 0., 1., 1. }, { 0.5, 0.5, 2. }, { 1.5, 0.5, 2. },
+               { 1.5, 1.5, 2. }, { 0.5, 1.5, 2. }, { 0.5, 0.5, 3. }, { 1.5, 0.5, 3. },
+               { 0.5, -1., 3. }, { 0.5, 0., 4. } },
+      { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_PYRAMID, { 8, 9, 10, 11, 6 } },
+        { VTK_WEDGE, { 12, 8, 11, 13, 9, 10 } }, { VTK_TETRA, { 12, 13, 14, 15 } } });
+  return AddMaterials(mixed, [](vtkIdType c) { return static_cast<int>(c); });
+}
+
+struct Chain
+{
+  const char* Name;
+  Grid Mesh;
+  int Scheme;
+};
+std::vector<Chain> MakeChains()
+{
+  return { { "box spline", MakeChain(), vtkMultiDimensionalSubdivision::BOX_SPLINE },
+    { "tet/oct", MakeChain(), vtkMultiDimensionalSubdivision::TET_OCT },
+    { "hybrid, tetrahedra", MakeChain(), vtkMultiDimensionalSubdivision::HYBRID },
+    { "hybrid", MakeMixedChain(), vtkMultiDimensionalSubdivision::HYBRID } };
+}
+
 }
 
 /// A row has its columns of points that the material has, divided by the sum of these.
 TEST(MaterialFieldsRows, AreThoseOfPointsWithoutOtherColumns)
 {
-  const Grid mesh = MakeChain();
-  for (const int scheme :
-    { vtkMultiDimensionalSubdivision::BOX_SPLINE, vtkMultiDimensionalSubdivision::TET_OCT })
+  for (const auto& [name, mesh, scheme] : MakeChains())
   {
-    SCOPED_TRACE(scheme);
+    SCOPED_TRACE(name);
     const Choice choice = MakeUniform("", scheme, false);
     const Grid torn = choice.Run(mesh, 0, Jump);
     for (vtkIdType i = 0; i < torn->GetNumberOfPoints(); ++i) // copies have values of their own
@@ -103,26 +128,79 @@ TEST(MaterialFieldsRows, AreThoseOfPointsWithoutOtherColumns)
 /// do with the first.
 TEST(MaterialFieldsRows, MaterialsBeyondTheNextDoNotMix)
 {
-  const Grid mesh = MakeChain();
-  const Choice choice = MakeUniform("", vtkMultiDimensionalSubdivision::BOX_SPLINE, false);
-  const auto run = [&](double beyond)
+  for (const auto& chain : MakeChains())
   {
+    SCOPED_TRACE(chain.Name);
+    const Grid mesh = chain.Mesh;
+    const Choice choice = MakeUniform("", chain.Scheme, false);
+    const std::set<vtkIdType> first = [&]
+    {
+      const auto points = GetCell(mesh, 0);
+      return std::set<vtkIdType>(points.begin(), points.end());
+    }();
+    vtkDataArray* values = mesh->GetPointData()->GetArray(ValueName);
     for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
     {
-      mesh->GetPointData()->GetArray(ValueName)->SetComponent(i, 0, i < 4 ? 1. : beyond);
+      values->SetComponent(i, 0, first.count(i) ? 1. : 100.);
     }
-    return ReadValues(choice.Run(mesh, 2,
-      [](vtkSubdivisionAlgorithm* filter)
-      {
-        Jump(filter);
-        filter->RemoveAllFieldsOfCells();
-      }));
-  };
-  for (const auto& [place, value] : run(100.))
-  {
-    if (place.first == 0.)
+    int found = 0;
+    for (const int levels : { 2, 3 })
     {
-      EXPECT_EQ(value, 1.) << place.second;
+      for (const bool isLimit : { false, true })
+      {
+        for (const auto& [place, value] : ReadValues(choice.Run(mesh, levels,
+               [isLimit](vtkSubdivisionAlgorithm* filter)
+               {
+                 Jump(filter);
+                 filter->RemoveAllFieldsOfCells();
+                 vtkUniformSubdivisionAlgorithm::SafeDownCast(filter)->SetProjectToLimit(isLimit);
+               })))
+        {
+          if (place.first == 0.)
+          {
+            EXPECT_NEAR(value, 1., 1e-12) << place.second << " after " << levels;
+            ++found;
+          }
+        }
+      }
+    }
+    EXPECT_GT(found, 100);
+  }
+}
+
+/// Where materials touch in a point, rows go across it. Then a new point in another material has
+/// weights of a material after a level, which must not count in the next one: two levels are two
+/// filters, the second of which begins with the materials of cells.
+TEST(MaterialFieldsRows, TwoLevelsAreTwoFilters)
+{
+  for (const auto& chain : MakeChains())
+  {
+    SCOPED_TRACE(chain.Name);
+    vtkDataArray* values = chain.Mesh->GetPointData()->GetArray(ValueName);
+    for (vtkIdType i = 0; i < chain.Mesh->GetNumberOfPoints(); ++i)
+    {
+      values->SetComponent(i, 0, std::sin(7. * static_cast<double>(i)));
+    }
+    const auto run = [&chain](vtkUnstructuredGrid* mesh, int levels)
+    {
+      vtkNew<vtkMultiDimensionalSubdivision> filter;
+      Jump(filter);
+      filter->RemoveAllFieldsOfCells();
+      KeepInterfaces(filter);
+      filter->SetVolumeScheme(chain.Scheme);
+      filter->SetNumberOfLevels(levels);
+      filter->SetInputDataObject(mesh);
+      filter->Update();
+      return DeepCopy(filter->GetOutput());
+    };
+    const ValueOf twice = ReadValues(run(run(chain.Mesh, 1), 1));
+    const ValueOf once = ReadValues(run(chain.Mesh, 2));
+    ASSERT_EQ(once.size(), twice.size());
+    for (const auto& [place, value] : once)
+    {
+      const auto found = twice.find(place);
+      ASSERT_NE(found, twice.end());
+      EXPECT_NEAR(value, found->second, 1e-12) << place.first << " " << place.second;
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Complex/Links.h"
 
+#include "Core/Cells/CellComplex.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/Complex/Simplices.h"
 
@@ -39,8 +40,8 @@ Rows<Id> Invert(const Buffer<Id>& members, int perOwner, vtkIdType rows)
 
 }
 
-template <typename Id>
-Links<Id>::Links(const SimplicialComplex<Id>& complex)
+template <typename Id, typename AnyComplex>
+Links<Id, AnyComplex>::Links(const AnyComplex& complex)
   : Complex(complex)
   , VertexEdges(Invert(complex.EdgeVertices, 2, complex.NumberOfVertices))
   , OwnFaces(complex.EdgeFaces.Offsets.empty() ? Invert(complex.FaceEdges, 3, complex.NumberOfEdges)
@@ -51,8 +52,8 @@ Links<Id>::Links(const SimplicialComplex<Id>& complex)
 {
 }
 
-template <typename Id>
-Buffer<EdgeFacts> Links<Id>::FindFacts() const
+template <typename Id, typename AnyComplex>
+Buffer<EdgeFacts> Links<Id, AnyComplex>::FindFacts() const
 {
   const vtkIdType edges = this->Complex.NumberOfEdges;
   Buffer<EdgeFacts> facts(edges);
@@ -73,8 +74,8 @@ Buffer<EdgeFacts> Links<Id>::FindFacts() const
 
 /// The link of an edge in C_3 is a graph: a node for each face at the edge, an arc for each
 /// tetrahedron; a node's degree is the number of tetrahedra at the face.
-template <typename Id>
-EdgeFacts Links<Id>::FindFacts(Id edge) const
+template <typename Id, typename AnyComplex>
+EdgeFacts Links<Id, AnyComplex>::FindFacts(Id edge) const
 {
   const Row<Id> faces = this->EdgeFaces[edge];
   vtkIdType nodes = 0;
@@ -82,7 +83,7 @@ EdgeFacts Links<Id>::FindFacts(Id edge) const
   vtkIdType most = 0;
   for (const Id face : faces)
   {
-    const vtkIdType degree = this->Complex.FaceTets[face].size();
+    const vtkIdType degree = GetSolidsAt(this->Complex, face).size();
     nodes += degree > 0 ? 1 : 0;
     ends += degree == 1 ? 1 : 0;
     most = std::max(most, degree);
@@ -101,10 +102,10 @@ EdgeFacts Links<Id>::FindFacts(Id edge) const
   return facts;
 }
 
-template <typename Id>
-unsigned char Links<Id>::FindOnlyDimension() const
+template <typename Id, typename AnyComplex>
+unsigned char Links<Id, AnyComplex>::FindOnlyDimension() const
 {
-  const SimplicialComplex<Id>& complex = this->Complex;
+  const AnyComplex& complex = this->Complex;
   return complex.HasEdgesAlone()         ? DimensionBit(1)
     : complex.NumberOfLineCells > 0      ? 0
     : complex.NumberOfTets == 0          ? DimensionBit(2)
@@ -112,8 +113,8 @@ unsigned char Links<Id>::FindOnlyDimension() const
                                          : 0;
 }
 
-template <typename Id>
-unsigned char Links<Id>::VertexDimensions(Id vertex) const
+template <typename Id, typename AnyComplex>
+unsigned char Links<Id, AnyComplex>::VertexDimensions(Id vertex) const
 {
   unsigned char dimensions = 0;
   if (this->OnlyDimension)
@@ -128,20 +129,21 @@ unsigned char Links<Id>::VertexDimensions(Id vertex) const
 }
 
 /// Whether the link of an edge in C_3 is connected: `faces` nodes, none of which has more than two
-/// tetrahedra, and two or none have one. Walks around the edge from one of these two if there are
-/// any. Faces that the walk does not reach are in cycles of three at least, so that it may stop
-/// before the last two. If the walk is a cycle too, six faces are needed for another one.
-template <typename Id>
-bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
+/// solids, and two or none have one. Walks around the edge from one of these two if there are any.
+/// Faces that the walk does not reach are in cycles of three at least (of two where cells are no
+/// simplices), so that it may stop before the last ones.
+template <typename Id, typename AnyComplex>
+bool Links<Id, AnyComplex>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
 {
-  if (faces < (isClosed ? 6 : 5))
+  const vtkIdType least = GetLeastCycle(this->Complex);
+  if (faces < (isClosed ? 2 * least : 2 + least))
   {
     return true;
   }
   Id start = -1;
   for (Id face : this->EdgeFaces[edge])
   {
-    const vtkIdType degree = this->Complex.FaceTets[face].size();
+    const vtkIdType degree = GetSolidsAt(this->Complex, face).size();
     if (degree > 0 && (start < 0 || degree == 1))
     {
       start = face;
@@ -150,25 +152,17 @@ bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
   vtkIdType met = 1;
   Id face = start;
   Id tet = -1;
-  while (met + 2 < faces)
+  while (met + least <= faces)
   {
-    const Row<Id> tets = this->Complex.FaceTets[face];
+    const Row<Id> tets = GetSolidsAt(this->Complex, face);
     const Id* next = tets.begin();
     if (*next == tet && ++next == tets.end())
     {
       return false; // the other end
     }
     tet = *next;
-    // The other face of this tetrahedron at the edge.
-    const Id third = this->Complex.VertexOpposite(face, edge);
-    int local = 0;
-    for (int i = 0; i < 4; ++i)
-    {
-      const Id vertex = this->Complex.TetVertices[4 * tet + i];
-      local = vertex == third ? i : local;
-    }
-    face = this->Complex.TetFaces[4 * tet + local];
-    if (face == start)
+    face = GetOtherFace(this->Complex, tet, face, edge);
+    if (face == start || face < 0)
     {
       return false;
     }
@@ -177,8 +171,8 @@ bool Links<Id>::IsConnectedAround(Id edge, vtkIdType faces, bool isClosed) const
   return true;
 }
 
-template <typename Id>
-Place Links<Id>::PlaceVertex(Id vertex, int k) const
+template <typename Id, typename AnyComplex>
+Place Links<Id, AnyComplex>::PlaceVertex(Id vertex, int k) const
 {
   if (k == 3)
   {
@@ -200,8 +194,8 @@ Place Links<Id>::PlaceVertex(Id vertex, int k) const
 }
 
 /// The link of a vertex in C_2 is a graph: a node for each edge, an arc for each triangle.
-template <typename Id>
-Place Links<Id>::PlaceVertexInSurface(Id vertex) const
+template <typename Id, typename AnyComplex>
+Place Links<Id, AnyComplex>::PlaceVertexInSurface(Id vertex) const
 {
   vtkIdType nodes = 0;
   vtkIdType ends = 0;
@@ -239,11 +233,12 @@ Place Links<Id>::PlaceVertexInSurface(Id vertex) const
 /// Whether the triangles at a vertex form one fan: `edges` edges lie on them, none of which has
 /// more than two, and two or none have one. Walks from `start`, one of these two if there are any.
 /// Edges that the walk does not reach are in cycles of three at least, so that it may stop before
-/// the last two. If the walk is a cycle too, six edges are needed for another one.
-template <typename Id>
-bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) const
+/// the last ones.
+template <typename Id, typename AnyComplex>
+bool Links<Id, AnyComplex>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) const
 {
-  if (edges < (isClosed ? 6 : 5))
+  const vtkIdType least = GetLeastCycle(this->Complex);
+  if (edges < (isClosed ? 2 * least : 2 + least))
   {
     return true;
   }
@@ -252,7 +247,7 @@ bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) co
   vtkIdType met = 1;
   Id edge = start;
   Id face = -1;
-  while (met + 2 < edges)
+  while (met + least <= edges)
   {
     const Row<Id> faces = this->EdgeFaces[edge];
     const Id* next = faces.begin();
@@ -265,7 +260,7 @@ bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) co
       return false; // the other end
     }
     face = *next;
-    edge = this->Complex.OtherEdge(face, edge, vertex);
+    edge = GetOtherEdge(this->Complex, face, edge, vertex, this->Complex.GetOtherEnd(edge, vertex));
     if (edge == start)
     {
       return false;
@@ -278,8 +273,8 @@ bool Links<Id>::IsOneFan(Id vertex, Id start, vtkIdType edges, bool isClosed) co
 /// The link of a vertex in C_3 is a surface: a vertex for each edge, an edge for each face, a
 /// triangle for each tetrahedron. Connected, with manifold vertices and Euler characteristic 2 it
 /// is a sphere; with a boundary and characteristic 1, a disk.
-template <typename Id>
-Place Links<Id>::PlaceVertexInSolid(Id vertex) const
+template <typename Id, typename AnyComplex>
+Place Links<Id, AnyComplex>::PlaceVertexInSolid(Id vertex) const
 {
   const bool areAll = this->Complex.NumberOfTriangleCells == 0;
   const auto isOfSolid = [=](Id face)
@@ -311,8 +306,8 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex) const
   {
     return Place::Outside;
   }
-  // A face has two tetrahedra, or one at an end, and a tetrahedron is at three faces.
-  const vtkIdType euler = vertices - twiceEdges / 2 + (2 * twiceEdges - ends) / 6;
+  const vtkIdType euler =
+    vertices - twiceEdges / 2 + CountSolidsAt(this->Complex, vertex, twiceEdges, ends);
   const bool interior = ends == 0 && euler == 2;
   const bool boundary = ends > 0 && euler == 1;
   if (severalPieces || (!interior && !boundary) ||
@@ -324,5 +319,7 @@ Place Links<Id>::PlaceVertexInSolid(Id vertex) const
 }
 
 SUBDIVISION_COMPILE(class Links);
+template class Links<int, CellComplex<int>>;
+template class Links<long long, CellComplex<long long>>;
 
 }

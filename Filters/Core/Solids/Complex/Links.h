@@ -32,6 +32,47 @@ constexpr unsigned char DimensionBit(int k)
 }
 constexpr unsigned char AllDimensions = 7;
 
+// What links ask of a complex; CellComplex.h has the same for its own.
+
+/// At an edge faces, and at a vertex edges, that form a cycle are so many at least.
+template <typename Id>
+vtkIdType GetLeastCycle(const SimplicialComplex<Id>&)
+{
+  return 3;
+}
+template <typename Id>
+Row<Id> GetSolidsAt(const SimplicialComplex<Id>& complex, Id face)
+{
+  return complex.FaceTets[face];
+}
+/// The other edge of a face at a vertex; `far` is the other end of the first.
+template <typename Id>
+Id GetOtherEdge(const SimplicialComplex<Id>& complex, Id face, Id, Id, Id far)
+{
+  const Id* edges = complex.FaceEdges.data() + 3 * vtkIdType(face);
+  return edges[triangle::EdgeOpposite[complex.VertexInFace(face, far)]];
+}
+/// The vertex of a triangle that does not lie on one of its edges; -1 for other faces.
+template <typename Id>
+Id GetOppositeVertex(const SimplicialComplex<Id>& complex, Id face, Id edge)
+{
+  return complex.VertexOpposite(face, edge);
+}
+/// The other face of a solid at an edge of a face; -1: none.
+template <typename Id>
+Id GetOtherFace(const SimplicialComplex<Id>& complex, Id tet, Id face, Id edge)
+{
+  const int local = complex.VertexInTet(tet, complex.VertexOpposite(face, edge));
+  return complex.TetFaces[4 * vtkIdType(tet) + local];
+}
+/// The number of solids at a vertex; there are that many ends of faces at its edges, twice each
+/// face, and `ends` of these on the boundary. A tetrahedron is at three faces.
+template <typename Id>
+vtkIdType CountSolidsAt(const SimplicialComplex<Id>&, Id, vtkIdType twiceFaces, vtkIdType ends)
+{
+  return (2 * twiceFaces - ends) / 6;
+}
+
 /// The set of dimensions k for which an edge lies in C_k, as DimensionBit, and how it lies in C_2
 /// and C_3.
 struct EdgeFacts
@@ -41,15 +82,16 @@ struct EdgeFacts
   Place InSolid = Place::Outside;
 };
 
-template <typename Id>
+/// Of a SimplicialComplex or a CellComplex (Core/Cells).
+template <typename Id, typename AnyComplex = SimplicialComplex<Id>>
 class Links
 {
 public:
-  explicit Links(const SimplicialComplex<Id>& complex);
+  explicit Links(const AnyComplex& complex);
   Links(const Links&) = delete;
   Links& operator=(const Links&) = delete;
 
-  const SimplicialComplex<Id>& Complex;
+  const AnyComplex& Complex;
   const Rows<Id> VertexEdges; ///< all edges at a vertex, in order
 
 private:
@@ -61,7 +103,7 @@ public:
   /// The set of dimensions k for which a simplex lies in C_k, as DimensionBit.
   unsigned char FaceDimension(Id face) const
   {
-    return DimensionBit(this->Complex.FaceTets[face].size() > 0 ? 3 : 2);
+    return DimensionBit(GetSolidsAt(this->Complex, face).size() > 0 ? 3 : 2);
   }
   unsigned char EdgeDimensions(Id edge) const { return this->Facts[edge].Dimensions; }
   unsigned char VertexDimensions(Id vertex) const;
@@ -102,10 +144,11 @@ private:
 
 /// Whether a graph has one piece only: its nodes are the edges at a vertex that lie on accepted
 /// faces, one of them `start`, and its arcs are these faces. Each node must be on a cycle, so that
-/// the search may stop before the last two.
-template <typename Id>
+/// the search may stop before the last ones.
+template <typename Id, typename AnyComplex>
 template <typename Accept>
-bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& accept) const
+bool Links<Id, AnyComplex>::IsOnePiece(
+  Id vertex, Id start, vtkIdType nodes, const Accept& accept) const
 {
   const Row<Id> edges = this->VertexEdges[vertex];
   const auto find = [&edges](Id edge) // without branches, which the processor would mispredict
@@ -130,8 +173,9 @@ bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& a
   vtkIdType left = 0;
   toVisit[left++] = start;
   areMet[find(start)] = 1;
+  const vtkIdType rest = GetLeastCycle(this->Complex) - 1;
   vtkIdType count = 1;
-  while (count + 2 < nodes && left > 0)
+  while (count + rest < nodes && left > 0)
   {
     const Id edge = toVisit[--left];
     const Id far = this->Complex.GetOtherEnd(edge, vertex);
@@ -141,8 +185,7 @@ bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& a
       {
         continue;
       }
-      const Id* faceEdges = this->Complex.FaceEdges.data() + 3 * vtkIdType(face);
-      const Id other = faceEdges[triangle::EdgeOpposite[this->Complex.VertexInFace(face, far)]];
+      const Id other = GetOtherEdge(this->Complex, face, edge, vertex, far);
       unsigned char& isMet = areMet[find(other)];
       if (!isMet)
       {
@@ -152,12 +195,12 @@ bool Links<Id>::IsOnePiece(Id vertex, Id start, vtkIdType nodes, const Accept& a
       }
     }
   }
-  return count + 2 >= nodes;
+  return count + rest >= nodes;
 }
 
-template <typename Id>
+template <typename Id, typename AnyComplex>
 template <typename Accept>
-bool Links<Id>::IsClosedFan(Id vertex, const Accept& accept) const
+bool Links<Id, AnyComplex>::IsClosedFan(Id vertex, const Accept& accept) const
 {
   vtkIdType nodes = 0;
   Id start = -1;

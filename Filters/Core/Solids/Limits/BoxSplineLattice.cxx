@@ -532,6 +532,22 @@ bool BoxSplineLattice<Id>::AddStar(const LatticeVertex<Id>& vertex, LatticeStar<
 }
 
 template <typename Id>
+void BoxSplineLattice<Id>::AddStarInSolid(
+  const LatticeVertex<Id>& vertex, Id tet, LatticeStar<Id>& star) const
+{
+  const LatticeWeights own = this->Lift(this->GetCorners(vertex.Dimension, vertex.Simplex),
+    vertex.Dimension + 1, vertex.Weights, this->GetCorners(3, tet), 4);
+  this->ForRingInTet({ 3, tet, own },
+    [&](int, Id, const LatticeWeights&, const LatticeWeights& other)
+    {
+      if (*std::min_element(other.begin(), other.end()) >= 0)
+      {
+        star.Add(this->Find(3, tet, other), this->Find(3, tet, Sum(own, other)));
+      }
+    });
+}
+
+template <typename Id>
 bool BoxSplineLattice<Id>::ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
 {
   static const std::vector<double> ofCurves{ 2. / 3., 1. / 6., 1. / 6. };

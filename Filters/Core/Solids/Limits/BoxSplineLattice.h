@@ -69,16 +69,20 @@ struct LatticeVertex
 template <typename Id>
 using LatticeRow = VertexRow<LatticeVertex<Id>>;
 
-/// The weights of limits, which equal neighbourhoods share.
+/// The weights of limits, or of stars, which equal neighbourhoods share.
 class LatticeLimits
 {
 public:
+  /// `most` are kept, which bounds the memory.
+  explicit LatticeLimits(std::size_t most = 4096)
+    : Most(most)
+  {
+  }
   /// solve(weights) finds those that are not known yet; null where it returns false.
   template <typename Solve>
   const std::vector<double>* Find(const Neighbourhood& key, const Solve& solve)
   {
-    constexpr std::size_t most = 4096; // bounds the memory
-    if (this->Weights.size() > most)
+    if (this->Weights.size() > this->Most)
     {
       this->Weights.clear();
     }
@@ -87,6 +91,7 @@ public:
   }
 
 private:
+  const std::size_t Most;
   std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood> Weights;
 };
 
@@ -148,6 +153,9 @@ public:
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
   /// Adds a vertex and its ring.
   bool AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const;
+  /// Adds the neighbours of a vertex, which is no control vertex, in a tetrahedron at it, whatever
+  /// its rule reads.
+  void AddStarInSolid(const LatticeVertex<Id>& vertex, Id tet, LatticeStar<Id>& star) const;
 
   Rule GetRule(const LatticeVertex<Id>& vertex) const;
   /// The vertices of an edge, face or tetrahedron.

@@ -19,7 +19,7 @@
 namespace subdivision
 {
 
-/// The rows of a neighbourhood as SolveLimit reads them.
+/// The rows of a neighbourhood as ReadLocalRows reads them.
 struct SolvedRows
 {
   std::vector<std::size_t> Offsets{ 0 };
@@ -76,28 +76,20 @@ bool GrowStar(const Lattice& lattice, const BoxSplineLattice<Id>& curved, Lattic
   return isKnown;
 }
 
-/// Finds the weights of the items of a star. False: a rule is unknown, or a row reads more than
-/// these.
+/// Reads the rows of what a step makes of the items of a star; one that is there twice counts where
+/// it comes first. False: a rule is unknown, or a row reads more than these.
 template <typename Lattice, typename Id>
-bool SolveLatticeLimit(
-  const Lattice& lattice, const LatticeVertex<Id>& vertex, std::vector<double>& weights)
+bool ReadStarRows(const Lattice& lattice, const LatticeStar<Id>& star, SolvedRows& rows)
 {
-  LatticeStar<Id> star;
-  if (!lattice.AddStar(vertex, star))
-  {
-    return false;
-  }
-  const std::vector<LatticeVertex<Id>>& items = star.Items;
   VertexNumbers<LatticeVertex<Id>> known;
   std::vector<int> places; // where each of these is among the items first
-  for (std::size_t item = 0; item < items.size(); ++item)
+  for (std::size_t item = 0; item < star.Items.size(); ++item)
   {
-    if (known.GetNumber(items[item]) == places.size())
+    if (known.GetNumber(star.Items[item]) == places.size())
     {
       places.push_back(static_cast<int>(item));
     }
   }
-  SolvedRows solved;
   LatticeRow<Id> row;
   for (const LatticeVertex<Id>& next : star.Next)
   {
@@ -112,11 +104,25 @@ bool SolveLatticeLimit(
       {
         return false;
       }
-      solved.Entries.emplace_back(places[static_cast<std::size_t>(number)], row.Weights[k]);
+      rows.Entries.emplace_back(places[static_cast<std::size_t>(number)], row.Weights[k]);
     }
-    solved.EndRow();
+    rows.EndRow();
   }
-  weights = SolveLimit(solved, Neighbourhood(), items.size());
+  return true;
+}
+
+/// Finds the weights of the items of a star in the limit. False: as in ReadStarRows.
+template <typename Lattice, typename Id>
+bool SolveLatticeLimit(
+  const Lattice& lattice, const LatticeVertex<Id>& vertex, std::vector<double>& weights)
+{
+  LatticeStar<Id> star;
+  SolvedRows rows;
+  if (!lattice.AddStar(vertex, star) || !ReadStarRows(lattice, star, rows))
+  {
+    return false;
+  }
+  weights = ReadLocalRows(rows, Neighbourhood(), star.Items.size()).FindLimit();
   return true;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Normals from the tangents of LimitNormals.h.
-#include "Core/Operators/ShadingNormals.h"
 #include "Core/Operators/TangentErrors.h"
 
 #include "Core/Memory/Ids.h"
@@ -80,44 +79,28 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
   Buffer<double> second(3 * sectors);
   tangents.First.Apply(points.Values, first.data(), 3);
   tangents.Second.Apply(points.Values, second.data(), 3);
-  auto getError = [&points](const SparseRows<Id>& rows, vtkIdType sector)
-  {
-    const vtkIdType begin = rows.Offsets[sector];
-    return GetTangentError(rows.Columns.data() + begin, rows.Weights.data() + begin,
-      rows.Offsets[sector + 1] - begin, points.Values, points.GetUnit());
-  };
   const double largest = FindLargest(points.Values, 3 * tangents.First.GetNumberOfColumns());
-  auto getBound = [&](const SparseRows<Id>& rows, vtkIdType sector)
+  auto getError = [&](const SparseRows<Id>& rows, vtkIdType sector, bool isBound)
   {
     const vtkIdType begin = rows.Offsets[sector];
-    return GetTangentBound(
-      rows.Weights.data() + begin, rows.Offsets[sector + 1] - begin, largest, points.GetUnit());
+    const vtkIdType size = rows.Offsets[sector + 1] - begin;
+    const double* weights = rows.Weights.data() + begin;
+    return isBound ? GetTangentBound(weights, size, largest, points.GetUnit())
+                   : GetTangentError(
+                       rows.Columns.data() + begin, weights, size, points.Values, points.GetUnit());
   };
   const SectorTurns<Id> turns(tangents, inverted, turned);
-  auto findNormal = [&](vtkIdType sector, Vector& normal)
-  {
-    FindNormal(first.data() + 3 * sector, second.data() + 3 * sector,
-      getError(tangents.First, sector) + getError(tangents.Second, sector), normal.data());
-    if (Length(normal) == 0.)
-    {
-      const double* a = first.data() + 3 * sector;
-      const double* b = second.data() + 3 * sector;
-      FindPerpendicular(
-        std::hypot(a[0], a[1], a[2]) < std::hypot(b[0], b[1], b[2]) ? b : a, normal.data());
-    }
-  };
   auto normalOf = [&](vtkIdType sector)
   {
     Vector normal;
-    if (!FindClearNormal(first.data() + 3 * sector, second.data() + 3 * sector,
-          getBound(tangents.First, sector) + getBound(tangents.Second, sector), normal.data()))
-    {
-      findNormal(sector, normal);
-    }
-    if (turns.IsTurned(sector))
-    {
-      normal = { -normal[0], -normal[1], -normal[2] };
-    }
+    FindSectorNormal(
+      first.data() + 3 * sector, second.data() + 3 * sector,
+      [&](bool isBound)
+      {
+        return getError(tangents.First, sector, isBound) +
+          getError(tangents.Second, sector, isBound);
+      },
+      turns.IsTurned(sector), normal.data());
     return normal;
   };
   ForEach(tangents.Sectors.GetNumberOfRows(),
@@ -131,7 +114,8 @@ void ComputeSectorNormals(const LimitTangents<Id>& tangents, const Coordinates& 
         std::transform(normal.begin(), normal.end(), sum.begin(), sum.begin(), std::plus<>());
         last = s == tangents.Sectors.Offsets[v] ? normal : std::max(last, normal);
       }
-      const Vector mean = Normalise(sum, 1e-6);
+      const bool isOne = tangents.Sectors.Offsets[v + 1] - tangents.Sectors.Offsets[v] == 1;
+      const Vector mean = isOne ? last : Normalise(sum, 1e-6);
       const Vector& normal = Length(mean) > 0. ? mean : last;
       std::copy(normal.begin(), normal.end(), normals + 3 * v);
     });

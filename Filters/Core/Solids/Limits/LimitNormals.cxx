@@ -6,6 +6,8 @@
 #include "Core/Rules/SectorMasks.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
+#include "Core/Solids/Limits/SectorParts.h"
+#include "Core/Solids/Limits/SolidsAtFaces.h"
 #include "Core/Solids/Limits/TrianglePairs.h"
 #include "Core/Solids/Scheme/SharpSectors.h"
 
@@ -21,30 +23,6 @@ namespace subdivision
 namespace
 {
 
-/// Edges and triangles around a vertex, from one edge to the next.
-template <typename Id>
-struct SectorWalk
-{
-  std::vector<Id> Edges;
-  std::vector<Id> Ends; ///< of the edges
-  std::vector<Id> Faces;
-  bool IsClosed = false;
-};
-
-/// Sectors of a stretch of vertices.
-template <typename Id>
-struct SectorPart
-{
-  SectorWalk<Id> Walk;   ///< the present one
-  std::vector<Id> Sizes; ///< entries of each sector's rows
-  std::vector<Id> Columns;
-  std::vector<double> First;
-  std::vector<double> Second;
-  std::vector<vtkIdType> SideSizes;
-  std::vector<vtkIdType> Sides;
-  std::vector<Id> Triangles;
-};
-
 template <typename Scheme>
 class SectorWalker
 {
@@ -56,8 +34,7 @@ public:
     : Here(level)
     , Complex(level.Complex)
     , Strata(level.Strata)
-    , Solids(solids)
-    , Tets(level, solids.Steps)
+    , Solids(level, solids)
     , Pairs(level)
     , OwnRows(MakeSectorRows(level.Strata, level.Complex.EdgeVertices))
   {
@@ -80,22 +57,18 @@ public:
 private:
   using Walk = SectorWalk<Id>;
 
-  /// Weights of two tangents: of the vertex, and of the far ends of the edges of a walk.
-  struct Tangents
-  {
-    std::vector<std::array<double, 2>> Edges;
-    std::array<double, 2> Own{ { 0., 0. } };
-  };
-
   /// The most triangles that a sector with a tangent plane has by the plain rule.
   static constexpr std::size_t MostTriangles = 6;
   bool Follow(Id vertex, Id edge, Id face, Walk& walk) const;
   void AppendSector(Id vertex, SectorPart<Id>& part) const;
   void BlendOwnRows(const SemiSharpStages<Id>& creases);
-  Tangents FindTangents(std::size_t size, bool isClosed) const;
+  SectorTangents FindTangents(std::size_t size, bool isClosed) const
+  {
+    return FindSectorTangents(size, isClosed, this->Strata.ModifiedBoundary);
+  }
   bool IsPlain(Id vertex, const Walk& walk) const;
-  void AppendAfterStep(
-    Id vertex, const Walk& walk, const Tangents& tangents, double sign, SectorPart<Id>& part) const;
+  void AppendAfterStep(Id vertex, const Walk& walk, const SectorTangents& tangents, double sign,
+    SectorPart<Id>& part) const;
   void AppendSides(Id vertex, const Walk& walk, SectorPart<Id>& part) const;
   std::pair<Id, double> GetSign(Id vertex, const Walk& walk) const;
   Rule RuleOf(Id edge) const { return this->Pairs.RuleOf(edge); }
@@ -109,13 +82,12 @@ private:
   const typename Scheme::Level& Here;
   const SimplicialComplex<Id>& Complex;
   const subdivision::Strata<Id>& Strata;
-  const ControlSolids& Solids;
-  const typename Scheme::ControlTets Tets;
+  const SolidsAtFaces<Scheme> Solids;
   const TrianglePairs<Scheme> Pairs;
   ExplicitRows<Id> OwnRows;      ///< of edges whose rule depends on sectors
   std::vector<SharpRow> Blended; ///< those of them that depend on creases that are still sharp
   static constexpr std::size_t FewEdges = 16;
-  Tangents Known[2][FewEdges]; ///< FindTangents
+  SectorTangents Known[2][FewEdges]; ///< FindTangents
 };
 
 /// Walks around a vertex from an edge over a face and further smooth edges, back to the first edge
@@ -127,7 +99,7 @@ bool SectorWalker<Scheme>::Follow(Id vertex, Id edge, Id face, Walk& walk) const
   walk.Faces.clear();
   for (;;)
   {
-    if (face < 0 || this->Complex.FaceTets[face].size() > 1)
+    if (face < 0 || this->Solids.Count(face) > 1)
     {
       return false;
     }
@@ -198,13 +170,8 @@ void SectorWalker<Scheme>::AppendSides(Id vertex, const Walk& walk, SectorPart<I
   for (std::size_t j = 0; j < walk.Faces.size(); ++j)
   {
     const Id triangle[3] = { vertex, around[j], around[(j + 1) % around.size()] };
-    for (Id cell : this->Complex.FaceTets[walk.Faces[j]])
-    {
-      const vtkIdType tet =
-        this->Solids.IsOfLevel ? static_cast<vtkIdType>(cell) : this->Tets.Find(cell);
-      const vtkIdType number = this->Solids.Numbers.empty() ? tet : this->Solids.Numbers[tet];
-      part.Sides.push_back(2 * number + (Scheme::GetTurn(this->Here, cell, triangle) < 0 ? 1 : 0));
-    }
+    this->Solids.ForSides(
+      walk.Faces[j], triangle, [&part](vtkIdType side) { part.Sides.push_back(side); });
   }
   part.SideSizes.push_back(static_cast<vtkIdType>(part.Sides.size() - before));
 }
@@ -215,7 +182,7 @@ template <typename Scheme>
 std::pair<typename Scheme::Id, double> SectorWalker<Scheme>::GetSign(
   Id vertex, const Walk& walk) const
 {
-  if (this->Complex.FaceTets[walk.Faces.front()].size() > 0)
+  if (this->Solids.Count(walk.Faces.front()) > 0)
   {
     return { static_cast<Id>(-1), 1. };
   }
@@ -238,12 +205,12 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, SectorPart<Id>& part) const
     around.push_back(this->Complex.GetOtherEnd(edge, vertex));
   }
   const auto [face, sign] = this->GetSign(vertex, walk);
-  part.Triangles.push_back(face < 0 ? face : static_cast<Id>(face >> 2 * this->Solids.Steps));
+  part.Triangles.push_back(face);
   this->AppendSides(vertex, walk, part);
   const bool isKnown = walk.Edges.size() < FewEdges;
-  const Tangents found =
-    isKnown ? Tangents() : this->FindTangents(walk.Edges.size(), walk.IsClosed);
-  const Tangents& tangents = isKnown ? this->Known[walk.IsClosed][walk.Edges.size()] : found;
+  const SectorTangents found =
+    isKnown ? SectorTangents() : this->FindTangents(walk.Edges.size(), walk.IsClosed);
+  const SectorTangents& tangents = isKnown ? this->Known[walk.IsClosed][walk.Edges.size()] : found;
   if (!this->IsPlain(vertex, walk))
   {
     this->AppendAfterStep(vertex, walk, tangents, sign, part);
@@ -267,44 +234,6 @@ void SectorWalker<Scheme>::AppendSector(Id vertex, SectorPart<Id>& part) const
     append(vertex, tangents.Own);
   }
   part.Sizes.push_back(static_cast<Id>(walk.IsClosed ? size : size + 1));
-}
-
-/// The weights where all rules stay the same in further steps.
-template <typename Scheme>
-typename SectorWalker<Scheme>::Tangents SectorWalker<Scheme>::FindTangents(
-  std::size_t size, bool isClosed) const
-{
-  Tangents tangents;
-  tangents.Edges.resize(size);
-  if (isClosed)
-  {
-    for (std::size_t j = 0; j < size; ++j)
-    {
-      const double angle = 2. * Pi * static_cast<double>(j) / static_cast<double>(size);
-      tangents.Edges[j] = { { std::cos(angle), std::sin(angle) } };
-    }
-    return tangents;
-  }
-  const double angle = Pi / static_cast<double>(size - 1);
-  double sum = 0.;
-  for (std::size_t j = 1; j + 1 < size; ++j)
-  {
-    const double weight = std::sin(angle * static_cast<double>(j));
-    tangents.Edges[j] = { { 0., weight } };
-    sum += weight;
-  }
-  // One triangle: the second difference.
-  double end = size == 2 ? 1. : (std::sin(angle) - sum) / (1. + 2. * std::cos(angle));
-  tangents.Own = { { 0., -2. * end - sum } };
-  if (this->Strata.ModifiedBoundary && size > 2)
-  {
-    const TransversalMask mask = GetTransversalMask(static_cast<int>(size) - 1, false, true);
-    end = mask.End;
-    tangents.Own[1] = mask.Own;
-  }
-  tangents.Edges.front() = { { 1., end } };
-  tangents.Edges.back() = { { -1., end } };
-  return tangents;
 }
 
 /// Makes blends of rows next to creases that are still sharp.
@@ -356,8 +285,8 @@ bool SectorWalker<Scheme>::IsPlain(Id vertex, const Walk& walk) const
 
 /// Appends the tangents of the next level times the rows of the step to it.
 template <typename Scheme>
-void SectorWalker<Scheme>::AppendAfterStep(
-  Id vertex, const Walk& walk, const Tangents& tangents, double sign, SectorPart<Id>& part) const
+void SectorWalker<Scheme>::AppendAfterStep(Id vertex, const Walk& walk,
+  const SectorTangents& tangents, double sign, SectorPart<Id>& part) const
 {
   const StoredRows<Id> stored = GetStoredRows(this->Here);
   ExplicitRows<Id> row;
@@ -380,35 +309,6 @@ void SectorWalker<Scheme>::AppendAfterStep(
   }
   append(vertex, tangents.Own);
   part.Sizes.push_back(static_cast<Id>(part.Columns.size() - before));
-}
-
-/// One buffer of what several parts hold.
-template <typename Id, typename T>
-Buffer<T> Join(const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPart<Id>::* values)
-{
-  vtkIdType size = 0;
-  for (const SectorPart<Id>& part : parts)
-  {
-    size += static_cast<vtkIdType>((part.*values).size());
-  }
-  Buffer<T> joined(size);
-  T* out = joined.begin();
-  for (const SectorPart<Id>& part : parts)
-  {
-    out = std::copy((part.*values).begin(), (part.*values).end(), out);
-  }
-  return joined;
-}
-
-template <typename Id, typename T>
-Buffer<T> JoinOffsets(
-  const std::vector<SectorPart<Id>>& parts, std::vector<T> SectorPart<Id>::* sizes)
-{
-  const Buffer<T> joined = Join(parts, sizes);
-  Buffer<T> offsets(joined.size() + 1);
-  std::copy(joined.begin(), joined.end(), offsets.begin());
-  CountsToOffsets(offsets);
-  return offsets;
 }
 
 /// The vertices without tangents because a crease there is still sharp, or because the scheme has
@@ -438,63 +338,58 @@ Buffer<typename Level::IdType> FindCurves(
   const auto& complex = level.Complex;
   Buffer<Id> along(2 * missing.size(), Id(-1));
   ForEach(missing.size(),
-    [&](vtkIdType v)
+    [&](vtkIdType row)
     {
-      const Row<Id> ring = level.Strata.VertexRings.GetCarriers(v);
-      if (!missing[v] || isSharp[v] || level.Strata.Vertices[v].GetRule() != Rule::Curve ||
-        ring.size() != 2)
+      const auto vertex = static_cast<Id>(row);
+      const Row<Id> ring = level.Strata.VertexRings.GetCarriers(vertex);
+      if (!missing[row] || isSharp[vertex] ||
+        level.Strata.Vertices[vertex].GetRule() != Rule::Curve || ring.size() != 2)
       {
         return;
       }
-      const Id vertex = static_cast<Id>(v);
       const Id* edges = ring.begin();
       const bool endsHere = complex.EdgeVertices[2 * vtkIdType(edges[0]) + 1] == vertex;
-      along[2 * v] = complex.GetOtherEnd(edges[endsHere ? 0 : 1], vertex);
-      along[2 * v + 1] = complex.GetOtherEnd(edges[endsHere ? 1 : 0], vertex);
+      along[2 * row] = complex.GetOtherEnd(edges[endsHere ? 0 : 1], vertex);
+      along[2 * row + 1] = complex.GetOtherEnd(edges[endsHere ? 1 : 0], vertex);
     });
   return along;
 }
 
-/// The tangents of `rows` vertices: vertexOf(row).
-template <typename Level, typename VertexOf>
-LimitTangents<typename Level::IdType> BuildTangents(const Level& level,
-  const SemiSharpStages<typename Level::IdType>& creases, const std::vector<bool>& isSharp,
-  const ControlSolids& solids, vtkIdType rows, const VertexOf& vertexOf)
-{
-  using Id = typename Level::IdType;
-  const SectorWalker<SchemeOf<Level>> walker(level, creases, solids);
-  const vtkIdType vertices = level.Complex.NumberOfVertices;
-  constexpr vtkIdType block = 4096;
-  const vtkIdType blocks = (rows + block - 1) / block;
-  std::vector<SectorPart<Id>> parts(blocks);
-  LimitTangents<Id> tangents;
-  tangents.Sectors.Offsets = Buffer<Id>(rows + 1);
-  auto makeBlocks = [&](vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType b = begin; b < end; ++b)
-    {
-      for (vtkIdType row = b * block; row < std::min(rows, (b + 1) * block); ++row)
-      {
-        const Id vertex = vertexOf(row);
-        tangents.Sectors.Offsets[row] = isSharp[vertex] ? 0 : walker.Append(vertex, parts[b]);
-      }
-    }
-  };
-  ForRangesOfBlocks(blocks, makeBlocks);
-  CountsToOffsets(tangents.Sectors.Offsets);
-  tangents.First.NumberOfColumns = tangents.Second.NumberOfColumns = vertices;
-  tangents.First.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
-  tangents.First.Columns = Join(parts, &SectorPart<Id>::Columns);
-  tangents.First.Weights = Join(parts, &SectorPart<Id>::First);
-  tangents.Second.Offsets = JoinOffsets(parts, &SectorPart<Id>::Sizes);
-  tangents.Second.Columns = Join(parts, &SectorPart<Id>::Columns);
-  tangents.Second.Weights = Join(parts, &SectorPart<Id>::Second);
-  tangents.SideOffsets = JoinOffsets(parts, &SectorPart<Id>::SideSizes);
-  tangents.Sides = Join(parts, &SectorPart<Id>::Sides);
-  tangents.Triangles = Join(parts, &SectorPart<Id>::Triangles);
-  return tangents;
 }
 
+SectorTangents FindSectorTangents(std::size_t size, bool isClosed, bool isModified)
+{
+  SectorTangents tangents;
+  tangents.Edges.resize(size);
+  if (isClosed)
+  {
+    for (std::size_t j = 0; j < size; ++j)
+    {
+      const double angle = 2. * Pi * static_cast<double>(j) / static_cast<double>(size);
+      tangents.Edges[j] = { { std::cos(angle), std::sin(angle) } };
+    }
+    return tangents;
+  }
+  const double angle = Pi / static_cast<double>(size - 1);
+  double sum = 0.;
+  for (std::size_t j = 1; j + 1 < size; ++j)
+  {
+    const double weight = std::sin(angle * static_cast<double>(j));
+    tangents.Edges[j] = { { 0., weight } };
+    sum += weight;
+  }
+  // One triangle: the second difference.
+  double end = size == 2 ? 1. : (std::sin(angle) - sum) / (1. + 2. * std::cos(angle));
+  tangents.Own = { { 0., -2. * end - sum } };
+  if (isModified && size > 2)
+  {
+    const TransversalMask mask = GetTransversalMask(static_cast<int>(size) - 1, false, true);
+    end = mask.End;
+    tangents.Own[1] = mask.Own;
+  }
+  tangents.Edges.front() = { { 1., end } };
+  tangents.Edges.back() = { { -1., end } };
+  return tangents;
 }
 
 template <typename Level>
@@ -511,26 +406,32 @@ template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids)
 {
-  using Id = typename Level::IdType;
-  const std::vector<bool> isSharp = FindSharpVertices(level, creases);
-  LimitTangents<Id> tangents = BuildTangents(level, creases, isSharp, solids,
-    level.Complex.NumberOfVertices, [](vtkIdType v) { return static_cast<Id>(v); });
-  const Buffer<unsigned char> missing = tangents.FindMissing();
-  tangents.AlongCurves = FindCurves(level, isSharp, missing);
-  Buffer<Id> rows(missing.size());
-  ForEach(rows.size(), [&](vtkIdType v) { rows[v] = missing[v] ? static_cast<Id>(v) : Id(-1); });
-  tangents.Shading = BuildShadingStars(
-    level, creases, solids, FindShadingCells(level, solids.Steps), rows, solids.Steps);
-  return tangents;
+  return BuildLimitTangents(
+    level, creases, solids, FindShadingCells(level, solids.Steps), solids.Steps);
 }
 
 template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
-  const Buffer<typename Level::IdType>& vertices)
+  const ShadingCells<typename Level::IdType>& cells, int made)
 {
-  return BuildTangents(level, creases, FindSharpVertices(level, creases), solids, vertices.size(),
-    [&vertices](vtkIdType row) { return vertices[row]; });
+  using Id = typename Level::IdType;
+  const std::vector<bool> isSharp = FindSharpVertices(level, creases);
+  const SectorWalker<SchemeOf<Level>> walker(level, creases, solids);
+  const vtkIdType vertices = level.Complex.NumberOfVertices;
+  LimitTangents<Id> tangents =
+    CollectSectors<Id>(vertices, vertices, [&](vtkIdType v, SectorPart<Id>& part)
+      { return isSharp[v] ? Id(0) : walker.Append(static_cast<Id>(v), part); });
+  for (Id& face : tangents.Triangles)
+  {
+    face = face < 0 ? face : cells.Triangles[face];
+  }
+  const Buffer<unsigned char> missing = tangents.FindMissing();
+  tangents.AlongCurves = FindCurves(level, isSharp, missing);
+  Buffer<Id> rowsOf(vertices);
+  ForEach(vertices, [&](vtkIdType v) { rowsOf[v] = missing[v] ? static_cast<Id>(v) : Id(-1); });
+  tangents.Shading = BuildShadingStars(level, creases, solids, cells, rowsOf, made);
+  return tangents;
 }
 
 #define SUBDIVISION_NORMALS(Scheme)                                                                \
@@ -538,7 +439,8 @@ LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   template LimitTangents<Scheme::Id> BuildLimitTangents(                                           \
     const Scheme::Level&, const SemiSharpStages<Scheme::Id>&, const ControlSolids&);               \
   template LimitTangents<Scheme::Id> BuildLimitTangents(const Scheme::Level&,                      \
-    const SemiSharpStages<Scheme::Id>&, const ControlSolids&, const Buffer<Scheme::Id>&)
+    const SemiSharpStages<Scheme::Id>&, const ControlSolids&, const ShadingCells<Scheme::Id>&,     \
+    int)
 SUBDIVISION_FOR_VOLUME_SCHEMES(SUBDIVISION_NORMALS);
 
 }

@@ -24,6 +24,8 @@
 #include "Core/Solids/Limits/LimitStencils.h"
 #include "Core/Solids/Limits/ShadingStars.h"
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 namespace subdivision
@@ -48,7 +50,7 @@ struct LimitTangents
   /// The control triangle in which that triangle of each sector lies; -1 on a solid.
   Buffer<Id> Triangles;
   /// For each vertex of a curve the neighbour from which the curve comes, and that to which it
-  /// goes; -1: the vertex has sectors, or lies on no curve. Only of whole levels.
+  /// goes; -1: the vertex has sectors, or lies on no curve.
   Buffer<Id> AlongCurves;
   /// The source of normals for shading of vertices without sector.
   ShadingStars<Id> Shading;
@@ -71,6 +73,16 @@ struct LimitTangents
   }
 };
 
+/// Weights of the two tangents of a sector: of the vertex, and of the far ends of its edges.
+struct SectorTangents
+{
+  std::vector<std::array<double, 2>> Edges;
+  std::array<double, 2> Own{ { 0., 0. } };
+};
+/// Those of a sector of `size` edges where all rules stay the same in further steps. `isModified`:
+/// by the modified rules next to boundaries.
+SectorTangents FindSectorTangents(std::size_t size, bool isClosed, bool isModified);
+
 /// The sides of the surfaces of a level, triangle by triangle, so that normals have one side on all
 /// that is reached over edges of two triangles, smooth ones and creases. They are the same on all
 /// levels. `isSure`: a flag for each vertex; an edge without such an end is no link; empty: all are
@@ -83,11 +95,12 @@ template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases = {}, const ControlSolids& solids = {});
 
-/// The same at some vertices, one row of Sectors for each; without Shading.
+/// The same of a part of a level that is `made` steps after the control level; `cells` tell where
+/// the cells of the part lie.
 template <typename Level>
 LimitTangents<typename Level::IdType> BuildLimitTangents(const Level& level,
   const SemiSharpStages<typename Level::IdType>& creases, const ControlSolids& solids,
-  const Buffer<typename Level::IdType>& vertices);
+  const ShadingCells<typename Level::IdType>& cells, int made);
 
 /// Computes the unit normals of the rows of Sectors, three numbers for each; vertices without
 /// sector get zero. The other arguments are as in ComputeLimitNormals.

@@ -19,6 +19,7 @@
 #define SubdivisionObjects_LimitRowMaker_h
 
 #include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/LocalRows.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Operators/VertexRow.h"
 #include "Core/Solids/Limits/LimitStencils.h"
@@ -29,9 +30,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <memory>
-#include <numeric>
 #include <unordered_map>
 #include <utility>
 
@@ -46,110 +45,35 @@ struct StarRules
   const Buffer<Id>* TetsAtSpokes; ///< of a tet/oct level
 };
 
-/// The rows of all items of a star as numbers, which name items by their order. Equal ones have
-/// equal limit weights.
-using Neighbourhood = std::vector<int>;
-
-struct HashNeighbourhood
-{
-  std::size_t operator()(const Neighbourhood& neighbourhood) const
-  {
-    std::uint64_t hash = 14695981039346656037u;
-    for (int value : neighbourhood)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(value)) * 1099511628211u;
-    }
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
-  }
-};
-
 /// The local matrix of a neighbourhood.
 template <typename Star>
-std::vector<double> FillMatrix(const Star& star, const Neighbourhood& rows, std::size_t items)
+LocalRows ReadLocalRows(const Star& star, const Neighbourhood& rows, std::size_t items)
 {
-  std::vector<double> matrix(items * items, 0.);
+  LocalRows local;
   const int* row = rows.data();
   for (std::size_t i = 0; i < items; ++i)
   {
-    star.Weigh(row, static_cast<int>(i),
-      [&](int item, double weight) { matrix[i * items + item] += weight; });
+    star.Weigh(row, static_cast<int>(i), [&](int item, double weight) { local.Add(item, weight); });
+    local.EndRow();
   }
-  return matrix;
+  return local;
 }
 
-/// The weights w of a neighbourhood (LimitStencils.h) by elimination. The algorithm of W.
-/// Grassmann, M. Taksar and D. Heyman (1985) subtracts nothing and so is exact to rounding.
-template <typename Star>
-std::vector<double> EliminateItems(const Star& star, const Neighbourhood& rows, int items)
-{
-  std::vector<double> a = FillMatrix(star, rows, static_cast<std::size_t>(items));
-  for (int k = items - 1; k > 0; --k)
-  {
-    const double* last = a.data() + k * items;
-    const double sum = std::accumulate(last, last + k, 0.);
-    for (int i = 0; i < k; ++i)
-    {
-      const double factor = a[i * items + k] /= sum;
-      for (int j = 0; factor != 0. && j < k; ++j)
-      {
-        a[i * items + j] += factor * last[j];
-      }
-    }
-  }
-  std::vector<double> w(items, 0.);
-  w[0] = 1.;
-  for (int k = 1; k < items; ++k)
-  {
-    for (int i = 0; i < k; ++i)
-    {
-      w[k] += w[i] * a[i * items + k];
-    }
-  }
-  return w;
-}
+/// The limits of regular vertices inside a surface and on a curve.
+inline constexpr std::array<double, 7> RegularSurfaceLimit{ 1. / 2., 1. / 12., 1. / 12., 1. / 12.,
+  1. / 12., 1. / 12., 1. / 12. };
+inline constexpr std::array<double, 3> RegularCurveLimit{ 2. / 3., 1. / 6., 1. / 6. };
 
-/// The weights w of a neighbourhood, not normalised, by the series of LimitStencils.h.
-template <typename Star>
-std::vector<double> SumSeries(const Star& star, const Neighbourhood& rows, int items)
+/// Gives weights that are these up to rounding their exact values, whatever the order of items was.
+template <std::size_t N>
+void RoundWeights(const std::array<double, N>& exact, std::vector<double>& weights)
 {
-  std::vector<double> sum(items, 0.);
-  std::vector<double> term(items, 0.);
-  std::vector<double> next(items);
-  const int* row = rows.data();
-  star.Weigh(row, 0, [&](int item, double weight) { term[item] += weight; });
-  const int* const edges = row;
-  double total = 1.;
-  for (double left = 1.; left > 1e-20 * total; total += left)
+  if (weights.size() == N &&
+    std::equal(exact.begin(), exact.end(), weights.begin(),
+      [](double a, double b) { return std::abs(a - b) < 1e-14; }))
   {
-    row = edges;
-    left = 0.;
-    std::fill(next.begin(), next.end(), 0.);
-    for (int i = 1; i < items; ++i)
-    {
-      sum[i] += term[i];
-      left += term[i];
-      star.Weigh(row, i, [&](int item, double weight) { next[item] += term[i] * weight; });
-    }
-    term.swap(next);
+    std::copy(exact.begin(), exact.end(), weights.begin());
   }
-  sum[0] = 1.;
-  return sum;
-}
-
-/// The weights w of a neighbourhood, one for each item. The series serves vertices with many edges,
-/// for which elimination in a full matrix takes too long.
-template <typename Star>
-std::vector<double> SolveLimit(const Star& star, const Neighbourhood& rows, std::size_t items)
-{
-  const int size = static_cast<int>(items);
-  std::vector<double> w =
-    size <= 48 ? EliminateItems(star, rows, size) : SumSeries(star, rows, size);
-  const double total = std::accumulate(w.begin(), w.end(), 0.);
-  for (double& weight : w)
-  {
-    weight /= total;
-  }
-  return w;
 }
 
 /// A row that is being made.
@@ -209,7 +133,6 @@ private:
   const vtkIdType NumberOfVertices;
   const vtkIdType NumberOfEdges;
   using Solutions = std::unordered_map<Neighbourhood, std::vector<double>, HashNeighbourhood>;
-  static constexpr std::size_t MostSolutions = 4096; // bounds the memory; refined levels have fewer
   Solutions Solved;
   Solutions Stars;
   // Of the current vertex:
@@ -244,7 +167,9 @@ void LimitRowMaker<Star>::Make(Id vertex, LimitRow<Id>& row)
   std::vector<double>& solved = this->Solved[this->Local];
   if (solved.empty())
   {
-    solved = SolveLimit(this->Here, this->Local, this->Keys.Vertices.size() + 1);
+    solved = ReadLocalRows(this->Here, this->Local, this->Keys.Vertices.size() + 1).FindLimit();
+    RoundWeights(RegularSurfaceLimit, solved);
+    RoundWeights(RegularCurveLimit, solved);
   }
   this->Weights = solved;
   if (this->Solved.size() > MostSolutions)
@@ -301,7 +226,7 @@ std::vector<LimitRow<typename Star::IdType>> LimitRowMaker<Star>::MakeStar(
   std::vector<double>& star = this->Stars[key];
   if (star.empty())
   {
-    star = FindStarRows(FillMatrix(this->Here, this->Local, size), size, corners, made);
+    star = FindStarRows(ReadLocalRows(this->Here, this->Local, size).Fill(), size, corners, made);
   }
   std::vector<LimitRow<Id>> rows(edges.size());
   for (std::size_t i = 0; i < rows.size(); ++i)

@@ -1,439 +1,297 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/Limits/LocalLimit.h"
 
+#include "Core/Memory/GrowingBuffer.h"
 #include "Core/Memory/Ids.h"
-#include "Core/Memory/Selection.h"
-#include "Core/Operators/BlockOperator.h"
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/LocalVertices.h"
-#include "Core/Solids/Limits/Restriction.h"
-#include "Core/Solids/Scheme/SharpSectors.h"
+#include "Core/Solids/Limits/LatticeNormals.h"
+#include "Core/Solids/Limits/LatticePlaces.h"
+#include "Core/Solids/Limits/SectorParts.h"
+#include "Core/Solids/Limits/SharpLattice.h"
+
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
-#include <limits>
+#include <memory>
+#include <stdexcept>
 #include <utility>
 
 namespace subdivision
 {
-
 namespace
 {
 
-/// Gives a level without solids the data that vertex rows need besides strata.
+/// Rows that are made one after the other.
 template <typename Id>
-void TakeSpokes(const Level<Id>&, const SharpStage<Id>&, Level<Id>&)
+class RowList
 {
-}
-template <typename Id>
-void TakeSpokes(const TetOctLevel<Id>& from, const SharpStage<Id>& stage, TetOctLevel<Id>& sharp)
-{
-  sharp.NumberOfControlVertices = from.NumberOfControlVertices;
-  sharp.TetsAtSpokes = stage.TetsAtSpokes;
-}
+public:
+  RowList() { this->Offsets.push_back(0); }
+  void Add(std::size_t column, double weight)
+  {
+    this->Columns.push_back(static_cast<Id>(column));
+    this->Weights.push_back(weight);
+  }
+  void Add(const LatticeRow<Id>& row, VertexNumbers<LatticeVertex<Id>>& numbers)
+  {
+    for (std::size_t k = 0; k < row.Vertices.size(); ++k)
+    {
+      this->Add(numbers.GetNumber(row.Vertices[k]), row.Weights[k]);
+    }
+    this->EndRow();
+  }
+  vtkIdType GetSize() const { return this->Offsets.size() - 1; }
+  void EndRow() { this->Offsets.push_back(static_cast<Id>(this->Columns.size())); }
+  SparseRows<Id> Take(std::size_t columns) const
+  {
+    SparseRows<Id> rows;
+    rows.NumberOfColumns = static_cast<vtkIdType>(columns);
+    rows.Offsets = this->Offsets.Copy();
+    rows.Columns = this->Columns.Copy();
+    rows.Weights = this->Weights.Copy();
+    return rows;
+  }
+
+private:
+  GrowingBuffer<Id> Offsets;
+  GrowingBuffer<Id> Columns;
+  GrowingBuffer<double> Weights;
+};
 
 }
 
-/**
- * Builds the steps of a LocalLimit. Forward it makes the levels, each from a part of the one
- * before, and the wanted limit rows on them; backward it finds the rows that these need.
- */
+/// Goes from the finest level back to the control level, and numbers on each the vertices that the
+/// rows read.
 template <typename Id>
 template <typename LevelType>
 class LocalLimit<Id>::Builder
 {
 public:
-  Builder(LocalVertices<Id>& vertices, const ControlSolids* solids)
-    : Vertices(vertices)
+  /// All must outlive this; no `solids`: no normals.
+  Builder(const LevelType& control, const SemiSharpStages<Id>& creases,
+    const LatticePlaces<Id>& places, const ControlSolids* solids)
+    : Control(control)
+    , Creases(creases)
+    , Places(places)
     , Solids(solids)
+    , Makes(control, creases)
   {
+    if (solids)
+    {
+      this->Normals = std::make_unique<LatticeNormals<LevelType>>(control, *solids);
+    }
   }
 
-  /// False: the parts were too small.
-  bool Build(const LevelType& control, const SemiSharpStages<Id>& creases, int distance,
-    std::vector<Step>& steps);
+  void Build(std::vector<Step>& steps)
+  {
+    std::vector<std::vector<Id>> onLevel(1);
+    for (const Id v : InTurn(this->Places.GetNumberOfVertices()))
+    {
+      const auto level = static_cast<std::size_t>(this->Places.GetLevel(v));
+      onLevel.resize(std::max(onLevel.size(), level + 1));
+      onLevel[level].push_back(v);
+    }
+    steps.resize(onLevel.size());
+    for (std::size_t level = onLevel.size(); level-- > 1;)
+    {
+      this->MakeLimits(onLevel[level], steps[level]);
+      this->Normals ? this->MakeTangents(steps[level]) : void();
+      SetColumns(steps[level], this->OfLevel.Vertices.size());
+      this->MakeRows(steps[level]);
+    }
+    this->MakeControlLimits(std::move(onLevel[0]), steps[0]);
+    if (this->IsUnknown)
+    {
+      throw std::logic_error("The rule of a vertex is not known.");
+    }
+  }
 
 private:
-  /// A level, or a part of one.
-  struct Piece
-  {
-    LevelType Level;
-    SemiSharpStages<Id> Creases;
-    Buffer<unsigned char> Whole; ///< vertices at which nothing is missing
-    // These are empty where no normals are made:
-    std::vector<vtkIdType> Solids; ///< the number of the control solid in which each solid lies
-    ShadingCells<Id> Cells;
-  };
-  /// The kept part of a level: limit rows over its vertices, and the rows of the step that leads to
-  /// it.
-  struct Trace
-  {
-    SparseRows<Id> Limits;
-    LimitTangents<Id> Tangents;
-    // These are empty on the control level:
-    Buffer<Id> Columns; ///< the vertices of the level before to which the operators' columns belong
-    Stencils<Id> Smooth;
-    Stencils<Id> Sharp;          ///< where creases are still sharp
-    std::vector<double> Weights; ///< of the sharp rows; empty: all 0
-    Buffer<unsigned char> Whole; ///< rows of which nothing is missing
-  };
+  using Vertex = LatticeVertex<Id>;
+  using Numbers = VertexNumbers<Vertex>;
+  using Lattice = typename LevelLattices<LevelType>::Lattice;
 
-  void MakeLimits(const LevelType& level, const SemiSharpStages<Id>& creases, const Piece& piece,
-    std::size_t number, Trace& trace) const;
-  void FindControlParts(const LevelType& control, Piece& piece) const;
-  void FollowParts(const Restriction<LevelType>& restriction, Piece& piece) const;
-  static SemiSharpStages<Id> RefineCreases(Piece& part, const SimplicialComplex<Id>& children);
-  static void TakeOperators(Piece& part, Trace& trace);
-  static SparseRows<Id> MakeRows(const Trace& trace, const Buffer<Id>& vertices);
-  static SparseRows<Id> MakeCopies(const Buffer<Id>& vertices);
-  bool FollowBack(std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const;
+  /// How many vertices a level has that something reads.
+  static void SetColumns(Step& step, std::size_t size)
+  {
+    const auto columns = static_cast<vtkIdType>(size);
+    step.Limits.NumberOfColumns = step.Tangents.Shading.Rows.NumberOfColumns = columns;
+    step.Tangents.First.NumberOfColumns = step.Tangents.Second.NumberOfColumns = columns;
+  }
 
-  LocalVertices<Id>& Vertices;
-  const ControlSolids* const Solids; ///< null: no normals are made
-};
+  /// The limits of the vertices of a level; those in the same control simplex, which have
+  /// the same weights, side by side.
+  void MakeLimits(std::vector<Id>& vertices, Step& step)
+  {
+    const auto getKey = [this](Id v) { return std::make_pair(this->Places.GetCarrier(v), v); };
+    std::sort(vertices.begin(), vertices.end(), [&](Id a, Id b) { return getKey(a) < getKey(b); });
+    step.Limits = this->ReadRows(vertices.size(), this->OfLevel,
+      [&](std::size_t i, Lattice& lattice, LatticeRow<Id>& row)
+      { return lattice.ReadLimit(this->Places.GetVertex(vertices[i]), row); });
+    step.Vertices = std::move(vertices);
+  }
 
-/// Makes the limit rows of the vertices of a level, and their tangents; `piece` knows where the
-/// level's cells lie.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::MakeLimits(const LevelType& level,
-  const SemiSharpStages<Id>& creases, const Piece& piece, std::size_t number, Trace& trace) const
-{
-  const Buffer<Id> vertices = this->Vertices.FindWantedOnPart(number);
-  trace.Limits = BuildLimitRows(level, creases, vertices);
-  if (this->Solids)
+  /// The rows of all vertices of a level that have a number. Vertices of the level before it get
+  /// theirs.
+  void MakeRows(Step& step)
   {
-    const ControlSolids solids{ piece.Solids, 0, true };
-    trace.Tangents = BuildLimitTangents(level, creases, solids, vertices);
-    for (Id& triangle : trace.Tangents.Triangles)
-    {
-      triangle = triangle < 0 ? triangle : piece.Cells.Triangles[triangle];
-    }
-    const Buffer<unsigned char> missing = trace.Tangents.FindMissing();
-    Buffer<Id> rows(level.Complex.NumberOfVertices, Id(-1));
-    for (Id row = 0; row < static_cast<Id>(missing.size()); ++row)
-    {
-      rows[vertices[row]] = missing[row] ? row : Id(-1);
-    }
-    trace.Tangents.Shading = BuildShadingStars(
-      level, creases, solids, piece.Cells, rows, this->Solids->Steps + static_cast<int>(number));
+    Numbers before;
+    const std::vector<Vertex>& vertices = this->OfLevel.Vertices;
+    step.Rows = this->ReadRows(vertices.size(), before,
+      [&](std::size_t i, const Lattice& lattice, LatticeRow<Id>& row)
+      { return lattice.ReadRow(vertices[i], row); });
+    std::swap(this->OfLevel, before);
   }
-}
 
-/// Finds where the cells of the level lie from which the steps start.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::FindControlParts(
-  const LevelType& control, Piece& piece) const
-{
-  if (this->Solids)
+  /// read(number, lattice, row) in threads; false: a rule is unknown.
+  template <typename Read>
+  SparseRows<Id> ReadRows(std::size_t size, Numbers& numbers, const Read& read)
   {
-    const typename SchemeOf<LevelType>::ControlTets tets(control, this->Solids->Steps);
-    const vtkIdType size =
-      vtkIdType(control.Complex.NumberOfTets) + SchemeOf<LevelType>::CountCentres(control);
-    for (vtkIdType solid = 0; solid < size; ++solid)
+    RowList<Id> rows;
+    this->template ForBatches<LatticeRow<Id>>(
+      size, read, [&](std::size_t, const LatticeRow<Id>& row) { rows.Add(row, numbers); });
+    return rows.Take(numbers.Vertices.size());
+  }
+  /// read(number, lattice, found) in threads, and then in turn write(number, found).
+  template <typename Found, typename Read, typename Write>
+  void ForBatches(std::size_t size, const Read& read, const Write& write)
+  {
+    constexpr std::size_t most = 2048; // whose names are in memory
+    std::vector<Found> found(std::min(size, most));
+    std::vector<char> isKnown(found.size(), 1);
+    for (std::size_t first = 0; first < size; first += most)
     {
-      const vtkIdType tet = tets.Find(static_cast<Id>(solid));
-      piece.Solids.push_back(this->Solids->Numbers.empty() ? tet : this->Solids->Numbers[tet]);
-    }
-    piece.Cells = FindShadingCells(control, this->Solids->Steps);
-  }
-}
-
-/// The same after one step, in which the level before was restricted.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::FollowParts(
-  const Restriction<LevelType>& restriction, Piece& piece) const
-{
-  if (!this->Solids)
-  {
-    return;
-  }
-  // What each tetrahedron and each octahedron becomes.
-  constexpr bool hasPieces = SchemeOf<LevelType>::Traits.HasPieces;
-  constexpr std::size_t children[2][2] = { { hasPieces ? 4 : 8, 8 }, { hasPieces ? 1 : 0, 6 } };
-  const vtkIdType tets = restriction.GetNumberOfTets();
-  std::vector<vtkIdType> solids;
-  for (const auto& ofKind : children)
-  {
-    for (const Id old : restriction.GetOldTets())
-    {
-      solids.insert(solids.end(), ofKind[0], piece.Solids[old]);
-    }
-    for (const Id old : restriction.GetOldOcts())
-    {
-      solids.insert(solids.end(), ofKind[1], piece.Solids[tets + old]);
-    }
-  }
-  ShadingCells<Id> cells; // new vertices are no cells
-  for (const Id old : restriction.GetOldFaces())
-  {
-    const auto face = static_cast<std::size_t>(old);
-    cells.Triangles.insert(cells.Triangles.end(), 4,
-      face < piece.Cells.Triangles.size() ? piece.Cells.Triangles[face] : Id(-1));
-  }
-  for (const Id old : restriction.GetOldEdges())
-  {
-    const auto edge = static_cast<std::size_t>(old);
-    cells.Lines.insert(
-      cells.Lines.end(), 2, edge < piece.Cells.Lines.size() ? piece.Cells.Lines[edge] : char(0));
-  }
-  piece.Solids = std::move(solids);
-  piece.Cells = std::move(cells);
-}
-
-template <typename Id>
-template <typename LevelType>
-SemiSharpStages<Id> LocalLimit<Id>::Builder<LevelType>::RefineCreases(
-  Piece& part, const SimplicialComplex<Id>& children)
-{
-  SemiSharpStages<Id> refined;
-  const auto refine = [](const Buffer<double>& sharpness, int pieces, vtkIdType size)
-  {
-    Buffer<double> left;
-    if (std::any_of(sharpness.begin(), sharpness.end(), [](double s) { return s > 1.; }))
-    {
-      left = Buffer<double>(size, 0.);
-      for (vtkIdType i = 0; i < sharpness.size(); ++i)
+      const std::size_t count = std::min(most, size - first);
+      ForRanges(static_cast<vtkIdType>(count),
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          std::shared_ptr<Lattice>& lattice = this->OfThreads.Local();
+          if (!lattice)
+          {
+            lattice = this->Makes.Make();
+          }
+          for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+          {
+            isKnown[i] = read(first + i, *lattice, found[i]) ? 1 : 0;
+          }
+        });
+      for (std::size_t i = 0; i < count; ++i)
       {
-        std::fill_n(left.data() + pieces * i, pieces, std::max(0., sharpness[i] - 1.));
-      }
-    }
-    return left;
-  };
-  refined.Sharpness = refine(part.Creases.Sharpness, 2, children.NumberOfEdges);
-  refined.FaceSharpness = refine(part.Creases.FaceSharpness, 4, children.NumberOfFaces);
-  if (refined.Sharpness.empty() && refined.FaceSharpness.empty())
-  {
-    return refined;
-  }
-  for (SharpStage<Id>& stage : part.Creases.Stages)
-  {
-    if (stage.Until > 1)
-    {
-      std::swap(part.Level.Strata, stage.Strata);
-      refined.Stages.push_back(
-        { stage.Until - 1, Refine(part.Level, Depth::ForRefinement).Strata, stage.TetsAtSpokes });
-      std::swap(part.Level.Strata, stage.Strata);
-    }
-  }
-  return refined;
-}
-
-/// Moves the operators out of a part that was refined, of which the trace has the whole vertices.
-template <typename Id>
-template <typename LevelType>
-void LocalLimit<Id>::Builder<LevelType>::TakeOperators(Piece& part, Trace& trace)
-{
-  const SimplicialComplex<Id>& complex = part.Level.Complex;
-  const vtkIdType vertices = complex.NumberOfVertices;
-  const vtkIdType edges = complex.NumberOfEdges;
-  const auto leaveOut = [&](const Strata<Id>& strata)
-  {
-    for (const SectorEdge<Id>& sector : strata.Sectors)
-    {
-      trace.Whole[vertices + sector.Edge] &= sector.IsComplete() ? 1 : 0;
-    }
-  };
-  std::vector<SharpRow> rows =
-    part.Creases.ListParts(complex, std::numeric_limits<double>::infinity()).GetRows();
-  trace.Smooth = TakeStencils(part.Level);
-  // Creases beyond the part count in rows of sectors, too, which then are not whole.
-  const bool hasSectors = !part.Creases.Stages.empty() &&
-    (!trace.Smooth.Explicit.Rows.empty() || !part.Creases.Stages.front().Strata.Sectors.empty());
-  if (!rows.empty() || hasSectors)
-  {
-    LevelType sharp;
-    TakeSpokes(part.Level, part.Creases.Stages.front(), sharp);
-    const Buffer<Id>& edgeVertices = trace.Smooth.EdgeVertices;
-    sharp.Complex.EdgeVertices = Buffer<Id>(2 * edges);
-    CopyInThreads(edgeVertices.data(), 2 * edges, sharp.Complex.EdgeVertices.data());
-    sharp.Strata = std::move(part.Creases.Stages.front().Strata);
-    leaveOut(sharp.Strata);
-    trace.Sharp = TakeStencils(sharp);
-    // As BlendSemiSharp does.
-    AddSharpSectors(
-      trace.Smooth.Explicit.Rows, trace.Sharp.Explicit.Rows, edgeVertices, vertices, rows);
-    trace.Weights.assign(trace.Whole.size(), 0.);
-    for (const SharpRow& row : rows)
-    {
-      trace.Weights[row.Row] = std::min(1., row.Sharpness);
-    }
-    // The sharpness of all lines at both ends counts in rows of sectors.
-    for (const Stencils<Id>* stencils : { &trace.Smooth, &trace.Sharp })
-    {
-      for (const Id row : stencils->Explicit.Rows)
-      {
-        const Id* ends = edgeVertices.data() + 2 * (row - vertices);
-        trace.Whole[row] &= trace.Whole[ends[0]] && trace.Whole[ends[1]] ? 1 : 0;
+        isKnown[i] ? write(first + i, found[i]) : void();
+        this->IsUnknown = this->IsUnknown || !isKnown[i];
       }
     }
   }
-}
 
-template <typename Id>
-template <typename LevelType>
-bool LocalLimit<Id>::Builder<LevelType>::Build(const LevelType& control,
-  const SemiSharpStages<Id>& creases, int distance, std::vector<Step>& steps)
-{
-  this->Vertices.StartOnControl();
-  const std::size_t levels = this->Vertices.GetNumberOfLevels();
-  std::vector<Trace> traces(levels);
-  const LevelType* level = &control;
-  const SemiSharpStages<Id>* levelCreases = &creases;
-  Piece current; // what the two point to from level 1 on
-  this->FindControlParts(control, current);
-  for (std::size_t l = 0; l < levels; ++l)
+  /// The tangents, or stars for shading, of the vertices of a level.
+  void MakeTangents(Step& step)
   {
-    this->MakeLimits(*level, *levelCreases, current, l, traces[l]);
-    if (l + 1 == levels)
+    using Normal = LatticeNormal<Id>;
+    LimitTangents<Id>& tangents = step.Tangents;
+    ShadingStars<Id>& stars = tangents.Shading;
+    std::vector<SectorPart<Id>> parts(1);
+    RowList<Id> rows;
+    const auto addStar = [&](std::size_t vertex)
     {
-      break;
-    }
-    const Buffer<unsigned char> support = this->Vertices.FlagSupport(*level, l, distance);
-    const Restriction<LevelType> restriction(*level, support);
-    const Buffer<Id>& old = restriction.GetOldVertices();
-    Piece part;
-    part.Level = restriction.Restrict();
-    part.Creases = restriction.Restrict(*levelCreases);
-    this->Vertices.FollowToPart(part.Level, restriction.GetNewVertices(), l);
-    current.Level = LevelType(); // nothing reads it any more
-    Trace& next = traces[l + 1];
-    next.Whole = restriction.FlagWhole(part.Level, current.Whole);
-    next.Columns = Buffer<Id>(old.size());
-    CopyInThreads(old.data(), old.size(), next.Columns.data());
-    current.Level = Refine(part.Level, Depth::ForRefinement);
-    current.Creases = RefineCreases(part, current.Level.Complex);
-    this->FollowParts(restriction, current);
-    TakeOperators(part, next);
-    current.Whole = Buffer<unsigned char>(next.Whole.size());
-    CopyInThreads(next.Whole.data(), next.Whole.size(), current.Whole.data());
-    level = &current.Level;
-    levelCreases = &current.Creases;
-  }
-  return this->FollowBack(traces, control.Complex.NumberOfVertices, steps);
-}
-
-/// The rows of some vertices of a level, with columns on the level before.
-template <typename Id>
-template <typename LevelType>
-SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeRows(
-  const Trace& trace, const Buffer<Id>& vertices)
-{
-  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
-  {
-    ExplicitRows<Id> entries;
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      const Id row = vertices[i];
-      const double sharp = trace.Weights.empty() ? 0. : trace.Weights[row];
-      entries.Columns.clear();
-      entries.Weights.clear();
-      if (sharp < 1.)
-      {
-        trace.Smooth.AppendRow(row, 1. - sharp, entries);
-      }
-      if (sharp > 0.)
-      {
-        trace.Sharp.AppendRow(row, sharp, entries);
-      }
-      for (std::size_t k = 0; k < entries.Columns.size(); ++k)
-      {
-        rows.Add(trace.Columns[entries.Columns[k]], entries.Weights[k]);
-      }
-      rows.EndRow();
-    }
-  };
-  return BlockOperator<Id>(0, vertices.size(), append).Store(); // FollowBack knows the columns
-}
-
-/// Rows that copy some vertices.
-template <typename Id>
-template <typename LevelType>
-SparseRows<Id> LocalLimit<Id>::Builder<LevelType>::MakeCopies(const Buffer<Id>& vertices)
-{
-  SparseRows<Id> rows;
-  rows.Offsets = Buffer<Id>(vertices.size() + 1);
-  ForEach(rows.Offsets.size(), [&](vtkIdType i) { rows.Offsets[i] = static_cast<Id>(i); });
-  rows.Columns = Buffer<Id>(vertices.size());
-  CopyInThreads(vertices.data(), vertices.size(), rows.Columns.data());
-  rows.Weights = Buffer<double>(vertices.size(), 1.);
-  return rows;
-}
-
-/// Keeps the rows that the limits need, level by level. Returns false if one of them lacks entries.
-template <typename Id>
-template <typename LevelType>
-bool LocalLimit<Id>::Builder<LevelType>::FollowBack(
-  std::vector<Trace>& traces, Id columns, std::vector<Step>& steps) const
-{
-  steps.clear();
-  steps.resize(traces.size());
-  for (std::size_t l = traces.size(); l-- > 0;)
-  {
-    // The vertices that are read on this level, in ascending order, and their new numbers.
-    SparseRows<Id>& limits = traces[l].Limits;
-    Buffer<unsigned char> isRead(limits.NumberOfColumns, 0);
-    LimitTangents<Id>& tangents = traces[l].Tangents;
-    const bool isLast = l + 1 == traces.size();
-    const auto takeRows = [&isRead](const SparseRows<Id>& rows)
-    { ForEachInTurn(rows.Columns.size(), [&](vtkIdType k) { isRead[rows.Columns[k]] = 1; }); };
-    takeRows(limits);
-    takeRows(tangents.First);
-    takeRows(tangents.Second);
-    takeRows(tangents.Shading.Rows);
-    isLast ? void() : takeRows(steps[l + 1].Rows);
-    const Selection<Id> kept(isRead);
-    const auto lacks = [&](Id vertex) { return !traces[l].Whole[vertex]; };
-    if (l > 0 && std::any_of(kept.Old.begin(), kept.Old.end(), lacks))
-    {
-      return false;
-    }
-    const auto renumber = [&](SparseRows<Id>& to)
-    {
-      to.NumberOfColumns = static_cast<Id>(kept.Old.size());
-      ForEach(to.Columns.size(), [&](vtkIdType k) { to.Columns[k] = kept.New[to.Columns[k]]; });
+      stars.Stars.push_back({ static_cast<Id>(vertex), rows.GetSize(),
+        static_cast<vtkIdType>(stars.Corners.size()), static_cast<vtkIdType>(stars.Lines.size()) });
     };
-    renumber(limits);
-    renumber(tangents.First);
-    renumber(tangents.Second);
-    renumber(tangents.Shading.Rows);
-    if (!isLast)
-    {
-      renumber(steps[l + 1].Rows);
-    }
-    steps[l].Rows = l == 0 ? MakeCopies(kept.Old) : MakeRows(traces[l], kept.Old);
-    // Final for level 0; renumber() sets it for the others in the next pass.
-    steps[l].Rows.NumberOfColumns = columns;
-    steps[l].Limits = std::move(limits);
-    steps[l].Tangents = std::move(tangents);
-    steps[l].Vertices = this->Vertices.GetWanted(l);
-    traces[l] = Trace();
+    tangents.Sectors.Offsets = Buffer<Id>(static_cast<vtkIdType>(step.Vertices.size()) + 1);
+    this->template ForBatches<Normal>(
+      step.Vertices.size(), [&](std::size_t i, Lattice& lattice, Normal& normal)
+      { return this->Normals->Read(this->Places.GetVertex(step.Vertices[i]), lattice, normal); },
+      [&](std::size_t i, const Normal& normal)
+      {
+        tangents.Sectors.Offsets[static_cast<vtkIdType>(i)] =
+          static_cast<Id>(normal.Sectors.size());
+        for (const auto& sector : normal.Sectors)
+        {
+          this->AddSector(sector, parts[0]);
+        }
+        normal.Rows.empty() ? void() : addStar(i);
+        for (const LatticeRow<Id>& row : normal.Rows)
+        {
+          rows.Add(row, this->OfLevel);
+        }
+        stars.Corners.insert(stars.Corners.end(), normal.Corners.begin(), normal.Corners.end());
+        stars.Lines.insert(stars.Lines.end(), normal.Lines.begin(), normal.Lines.end());
+      });
+    addStar(step.Vertices.size());
+    JoinSectors(parts, 0, tangents);
+    stars.Rows = rows.Take(0);
   }
-  return true;
-}
+  void AddSector(const typename LatticeNormal<Id>::Sector& sector, SectorPart<Id>& part)
+  {
+    for (std::size_t k = 0; k < sector.First.Vertices.size(); ++k)
+    {
+      part.Columns.push_back(static_cast<Id>(this->OfLevel.GetNumber(sector.First.Vertices[k])));
+      part.First.push_back(sector.First.Weights[k]);
+      part.Second.push_back(sector.Second[k]);
+    }
+    part.Sizes.push_back(static_cast<Id>(sector.First.Vertices.size()));
+    part.Sides.insert(part.Sides.end(), sector.Sides.begin(), sector.Sides.end());
+    part.SideSizes.push_back(static_cast<vtkIdType>(sector.Sides.size()));
+    part.Triangles.push_back(sector.Triangle);
+  }
+
+  /// The first step differs at joints, so the limits of control vertices are those of the level.
+  void MakeControlLimits(std::vector<Id>&& vertices, Step& step)
+  {
+    step.Limits = BuildLimitRows(this->Control, this->Creases);
+    if (this->Solids)
+    {
+      step.Tangents = BuildLimitTangents(this->Control, this->Creases, *this->Solids);
+    }
+    for (SparseRows<Id>* rows :
+      { &step.Limits, &step.Tangents.First, &step.Tangents.Second, &step.Tangents.Shading.Rows })
+    {
+      for (Id& column : InTurn(rows->Columns))
+      {
+        column = static_cast<Id>(this->OfLevel.GetNumber({ 0, column, { { 1, 0, 0, 0 } } }));
+      }
+    }
+    SetColumns(step, this->OfLevel.Vertices.size());
+    step.Vertices = std::move(vertices);
+    RowList<Id> copies;
+    for (const Vertex& vertex : InTurn(this->OfLevel.Vertices))
+    {
+      copies.Add(static_cast<std::size_t>(vertex.GetColumn()), 1.);
+      copies.EndRow();
+    }
+    step.Rows = copies.Take(static_cast<std::size_t>(this->Control.Complex.NumberOfVertices));
+  }
+
+  const LevelType& Control;
+  const SemiSharpStages<Id>& Creases;
+  const LatticePlaces<Id>& Places;
+  const ControlSolids* const Solids;
+  std::unique_ptr<const LatticeNormals<LevelType>> Normals;
+  const LevelLattices<LevelType> Makes;
+  vtkSMPThreadLocal<std::shared_ptr<Lattice>> OfThreads;
+  Numbers OfLevel; ///< of the vertices of the current level
+  bool IsUnknown = false;
+};
 
 template <typename Id>
 template <typename LevelType>
 LocalLimit<Id>::LocalLimit(const LevelType& control, const SemiSharpStages<Id>& creases,
-  const std::vector<std::array<Id, 2>>& midpoints, const Buffer<unsigned char>& wanted,
-  int distance, const ControlSolids* solids)
+  const std::vector<std::array<Id, 2>>& midpoints, const ControlSolids* solids)
   : NumberOfRows(control.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()))
   , NumberOfColumns(control.Complex.NumberOfVertices)
 {
-  LocalVertices<Id> vertices(control.Complex.NumberOfVertices, midpoints, wanted);
-  Builder<LevelType> builder(vertices, solids);
-  while (!builder.Build(control, creases, distance, this->Steps))
+  LatticePlaces<Id> places(control);
+  if (!places.Find(midpoints))
   {
-    ++distance;
+    throw std::invalid_argument("A midpoint has ends that lie in no cell.");
   }
+  Builder<LevelType>(control, creases, places, solids).Build(this->Steps);
 }
 
-SUBDIVISION_COMPILE(class LocalLimit);
 #define SUBDIVISION_LOCAL(Level)                                                                   \
   template LocalLimit<Level::IdType>::LocalLimit(const Level&,                                     \
     const SemiSharpStages<Level::IdType>&, const std::vector<std::array<Level::IdType, 2>>&,       \
-    const Buffer<unsigned char>&, int, const ControlSolids*)
+    const ControlSolids*)
 SUBDIVISION_LOCAL(Level<int>);
 SUBDIVISION_LOCAL(Level<long long>);
 SUBDIVISION_LOCAL(TetOctLevel<int>);

@@ -3,9 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/LatticeNames.h"
-#include "Core/Solids/Limits/LocalLattice.h"
-#include "Core/Solids/Limits/LocalLimit.h"
+#include "Core/Solids/Limits/CurvedPlaces.h"
 #include "Core/Solids/Limits/PatchPolynomials.h"
 #include "Core/Solids/Limits/PlacePolynomial.h"
 #include "Core/Solids/Limits/RegularParts.h"
@@ -17,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -25,13 +24,11 @@ namespace subdivision
 namespace
 {
 
-/// The terms of the row of a place: a part of a patch, or nodes with their weights.
+/// The part of a patch in which a place lies.
 template <typename Id>
-struct PlaceNodes
+struct PlaceInPatch
 {
-  std::vector<Id> Vertices;
-  std::vector<std::array<double, PlaceParts::Count>> Weights;
-  int Part = 0;                                ///< SheetKey::Part; 0: there are nodes
+  int Part = 0;                                ///< SheetKey::Part; 0: the row is known
   const RegularSimplex<Id>* Simplex = nullptr; ///< in which the part is
 };
 
@@ -45,30 +42,30 @@ public:
   {
   }
 
-  /// Finds the columns, ascending. `ready`: the row of a place that has nodes. Consecutive places
+  /// Finds the columns, ascending. `ready`: the row, if it is known. Consecutive places
   /// often have the same patch, which is read once then.
-  const std::vector<Id>& FindColumns(const PlaceNodes<Id>& nodes, const PlaceRow<Id>& ready)
+  const std::vector<Id>& FindColumns(const PlaceInPatch<Id>& patch, const PlaceRow<Id>& ready)
   {
-    if (nodes.Part == 0)
+    if (patch.Part == 0)
     {
       return ready.Columns;
     }
-    this->ReadPatch(nodes);
+    this->ReadPatch(patch);
     return this->Columns;
   }
   /// The sums of what FindColumns read last: one weight for each column.
-  void Sum(const LimitPlace<Id>& place, const PlaceNodes<Id>& nodes, const PlaceRow<Id>& ready,
+  void Sum(const LimitPlace<Id>& place, const PlaceInPatch<Id>& patch, const PlaceRow<Id>& ready,
     const PlaceSums& sums)
   {
-    if (nodes.Part == 0)
+    if (patch.Part == 0)
     {
       ready.CopyWeights(sums);
       return;
     }
-    if (IsInner(nodes))
+    if (IsInner(patch))
     {
       constexpr PatchDirections along{ { { { 1., 0. } }, { { 0., 1. } } } };
-      nodes.Simplex->Inner.Weight(place.Parameters[0], place.Parameters[1], along, sums);
+      patch.Simplex->Inner.Weight(place.Parameters[0], place.Parameters[1], along, sums);
       return;
     }
     if (this->Weights.empty())
@@ -76,7 +73,7 @@ public:
       this->WeightPatch();
     }
     const PlaceInPart part =
-      GoToPart(place.Dimension, StartPart(place, *nodes.Simplex), nodes.Part);
+      GoToPart(place.Dimension, StartPart(place, *patch.Simplex), patch.Part);
     const CornerWeights& first = part.Directions[0];
     const CornerWeights& second = part.Directions[1];
     const PatchParts powers = FindPatchPowers(PatchPowers::Quartic, part.At[1], part.At[2],
@@ -86,9 +83,9 @@ public:
 
 private:
   /// Whether a place lies in a triangle that needs no polynomial of its own.
-  static bool IsInner(const PlaceNodes<Id>& nodes)
+  static bool IsInner(const PlaceInPatch<Id>& patch)
   {
-    return nodes.Part == 1 && nodes.Simplex->Inner.GetSize() > 0;
+    return patch.Part == 1 && patch.Simplex->Inner.GetSize() > 0;
   }
   void SortColumns()
   {
@@ -102,16 +99,16 @@ private:
       std::lower_bound(this->Columns.begin(), this->Columns.end(), column) - this->Columns.begin());
   }
 
-  void ReadPatch(const PlaceNodes<Id>& nodes)
+  void ReadPatch(const PlaceInPatch<Id>& patch)
   {
-    if (this->Part == nodes.Part && this->Simplex == nodes.Simplex)
+    if (this->Part == patch.Part && this->Simplex == patch.Simplex)
     {
       return;
     }
-    this->Part = nodes.Part;
-    this->Simplex = nodes.Simplex;
+    this->Part = patch.Part;
+    this->Simplex = patch.Simplex;
     this->Weights.clear();
-    if (IsInner(nodes))
+    if (IsInner(patch))
     {
       this->Columns.assign(this->Simplex->Inner.begin(), this->Simplex->Inner.end());
       return;
@@ -146,63 +143,6 @@ private:
 /// How often patches are split: nearer to a corner that is not regular there are few places, and
 /// parts are numbered in 16 bits.
 constexpr int SplitsOfPatch = 6;
-
-/// Whether the limit over a part is one polynomial.
-bool IsRegular(const PlaceInPart& part, int dimension, const RegularParts& regular)
-{
-  const auto first = part.Carriers.begin();
-  return std::all_of(
-    first, first + dimension + 1, [&regular](int carrier) { return regular[carrier]; });
-}
-
-/// Decides how often the simplex of a place is split whose limit is no polynomial: what matters is
-/// how small the part is beside its distance from where the limit is not smooth, so splits count
-/// from the last one on after which the part has its corners between others of the simplex.
-class SplitCount
-{
-public:
-  SplitCount(const PlaceInPart& part, int dimension)
-    : Dimension(dimension)
-    , Carriers(this->FlagCarriers(part))
-  {
-  }
-
-  void Add(const PlaceInPart& part)
-  {
-    const unsigned int carriers = this->FlagCarriers(part);
-    this->Splits = carriers == this->Carriers ? this->Splits + 1 : 0;
-    this->Carriers = carriers;
-  }
-  bool IsEnough() const { return this->Splits >= MostSplits; }
-
-private:
-  unsigned int FlagCarriers(const PlaceInPart& part) const
-  {
-    unsigned int flags = 0;
-    for (int i = 0; i <= this->Dimension; ++i)
-    {
-      flags |= 1u << static_cast<unsigned int>(part.Carriers[i]);
-    }
-    return flags;
-  }
-
-  const int Dimension;
-  unsigned int Carriers; ///< a bit for each set of corners between which the part has some
-  int Splits = 0;
-};
-
-/// Takes the linear function between the corners of a part.
-template <typename Id>
-void TakeCorners(
-  int dimension, const PlaceInPart& part, const std::array<Id, 4>& corners, PlaceNodes<Id>& nodes)
-{
-  for (int i = 0; i <= dimension; ++i)
-  {
-    nodes.Vertices.push_back(corners[i]);
-    nodes.Weights.push_back(
-      { { part.At[i], part.Directions[0][i], part.Directions[1][i], part.Directions[2][i] } });
-  }
-}
 
 /// The part of a patch with a place whose limit is one polynomial (SheetKey::Part); 0 where that is
 /// too small: few parts serve nearly all places of a mesh, and rows of others are found together.
@@ -264,86 +204,78 @@ Buffer<unsigned char> FlagSharpVertices(
   return flags;
 }
 
-/// Splits a curve or triangle around a place `sharpSteps` times, and on until the part is regular
-/// or so small that the limit is linear. Its nodes are those of a polynomial then, or its corners.
-template <typename Id>
-void SplitToNodes(const RegularSimplex<Id>& simplex, PlaceInPart part, int dimension,
-  int sharpSteps, bool hasDerivatives, VertexNames<Id>& names, PlaceNodes<Id>& nodes)
-{
-  std::array<Id, 4> corners = simplex.Corners;
-  const auto isRegular = [&]() { return IsRegular(part, dimension, simplex.Parts); };
-  // At a corner of a part the limit is that of a vertex, but for its derivatives.
-  const auto isAtCorner = [&]()
-  { return !hasDerivatives && std::find(part.At.begin(), part.At.end(), 1.) != part.At.end(); };
-  SplitCount count(part, dimension);
-  for (int sharp = sharpSteps; !isAtCorner() && (sharp > 0 || (!isRegular() && !count.IsEnough()));
-    --sharp)
-  {
-    const int child = part.FindChild(dimension);
-    part.GoToChild(dimension, child);
-    corners = GetCornersOfChild(corners, dimension, child, names);
-    count.Add(part);
-  }
-  if (isAtCorner() || !isRegular())
-  {
-    TakeCorners(dimension, part, corners, nodes);
-    return;
-  }
-  nodes.Weights = WeightLattice(dimension, part.At, part.Directions);
-  for (const PlaceNode& node : ListLattice(dimension))
-  {
-    nodes.Vertices.push_back(FindNode(corners, node, names));
-  }
-}
-
-/// What the row of each place is made of. `ready`: rows that are known.
+/// Finds in which parts of patches places lie, and makes the rows of all others. `ready`: rows that
+/// are known.
 template <typename LevelType, typename Id>
-std::vector<PlaceNodes<Id>> FindNodes(const LevelType& level, RegularReader<LevelType>& reader,
-  const SharpSimplices<Id>& sharp, const std::vector<LimitPlace<Id>>& places,
-  const std::vector<PlaceRow<Id>>& ready, bool hasDerivatives, VertexNames<Id>& names)
+std::vector<PlaceInPatch<Id>> FindPatches(const LevelLattices<LevelType>& lattices,
+  const LevelType& level, RegularReader<LevelType>& reader,
+  const std::vector<LimitPlace<Id>>& places, bool hasDerivatives, std::vector<PlaceRow<Id>>& ready)
 {
-  constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
+  const SharpSimplices<Id>& sharp = lattices.GetSharp();
   const int sharpSteps = CountSharpSteps(sharp.GetCreases());
   const Buffer<unsigned char> isSharpAt = FlagSharpVertices(level.Complex, sharp);
-  std::vector<PlaceNodes<Id>> all;
-  all.reserve(places.size());
-  for (const LimitPlace<Id>& place : InTurn(places))
+  const auto isSharp = [&isSharpAt](const LimitPlace<Id>& place)
   {
-    const int dimension = place.Dimension;
-    const std::size_t number = all.size();
-    PlaceNodes<Id>& nodes = all.emplace_back();
-    if (!ready[number].Columns.empty())
-    {
-      continue;
-    }
-    if (isLinear || dimension == 0)
-    {
-      TakeCorners(dimension, StartPart(place), place.Corners, nodes);
-      continue;
-    }
+    const Id* ids = place.Corners.data();
+    return !isSharpAt.empty() && place.Dimension > 0 &&
+      std::any_of(ids, ids + place.Dimension + 1, [&](Id v) { return isSharpAt[v] != 0; });
+  };
+  std::vector<PlaceInPatch<Id>> all(places.size());
+  for (const std::size_t i : InTurn(places.size()))
+  {
+    const int dimension = places[i].Dimension;
     if (dimension == 3)
     {
       continue; // all that is known is ready
     }
-    const RegularSimplex<Id>& regular = reader.Find(place);
-    const Id* ids = place.Corners.data();
-    const bool isSharp = !isSharpAt.empty() &&
-      std::any_of(ids, ids + dimension + 1, [&](Id v) { return isSharpAt[v] != 0; });
-    nodes.Simplex = &regular;
-    nodes.Part = !isSharp && regular.Inner.GetSize() > 0 ? 1 : 0;
-    if (nodes.Part > 0)
+    const RegularSimplex<Id>& regular = reader.Find(places[i]);
+    if (regular.Number < 0)
     {
-      continue;
+      throw std::invalid_argument("A place lies in no cell.");
     }
-    const PlaceInPart part = StartPart(place, regular);
-    nodes.Part = !isSharp && regular.IsPatch ? FindPart(part, dimension, regular.Parts) : 0;
-    if (nodes.Part > 0)
+    all[i].Simplex = &regular;
+    if (!isSharp(places[i]))
     {
-      continue;
+      all[i].Part = regular.Inner.GetSize() > 0 ? 1
+        : regular.IsPatch ? FindPart(StartPart(places[i], regular), dimension, regular.Parts)
+                          : 0;
     }
-    SplitToNodes(regular, part, dimension, isSharp ? sharpSteps : 0, hasDerivatives, names, nodes);
   }
+  ForPlacesInThreads(
+    places.size(),
+    [&]() { return std::make_shared<PlaceFinder<LevelType>>(level, lattices, hasDerivatives); },
+    [&](PlaceFinder<LevelType>& finder, std::size_t i)
+    {
+      if (all[i].Simplex && all[i].Part == 0)
+      {
+        finder.Find(places[i], *all[i].Simplex, isSharp(places[i]) ? sharpSteps : 0, ready[i]);
+      }
+    });
   return all;
+}
+
+/// The same where nothing moves: rows have the corners of cells.
+template <typename Id>
+std::vector<PlaceRow<Id>> FindLinear(const std::vector<LimitPlace<Id>>& places)
+{
+  std::vector<PlaceRow<Id>> rows(places.size());
+  for (const std::size_t i : InTurn(places.size()))
+  {
+    const PlaceInPart part = StartPart(places[i]);
+    std::map<Id, PartWeights> columns;
+    for (int k = 0; k <= places[i].Dimension; ++k)
+    {
+      const auto& directions = part.Directions;
+      columns[places[i].Corners[k]] = { { part.At[k], directions[0][k], directions[1][k],
+        directions[2][k] } };
+    }
+    for (const auto& [column, weights] : columns)
+    {
+      rows[i].Columns.push_back(column);
+      rows[i].Weights.push_back(weights);
+    }
+  }
+  return rows;
 }
 
 /// The largest dimension of cells with places.
@@ -358,78 +290,10 @@ int FindDimension(const std::vector<LimitPlace<Id>>& places)
   return dimension;
 }
 
-/// Sums rows of nodes, of one place after the other.
-template <typename Id>
-class NodeSum
-{
-public:
-  explicit NodeSum(const LocalLimit<Id>& limit)
-    : Lattice(limit)
-  {
-  }
-
-  void Find(const PlaceNodes<Id>& nodes, PlaceRow<Id>& row)
-  {
-    this->Sum.Clear();
-    for (std::size_t n = 0; n < nodes.Vertices.size(); ++n)
-    {
-      this->Sum.AddLimit(nodes.Vertices[n], nodes.Weights[n]);
-    }
-    this->Sum.StepBack(this->Lattice.GetLevel(nodes.Vertices[0]) + 1);
-    this->Sum.Write(row);
-  }
-
-private:
-  LocalLattice<Id> Lattice;
-  PlaceSum<LocalLattice<Id>> Sum{ this->Lattice };
-};
-
-/// Makes the rows of places that have nodes.
-template <typename LevelType, typename Id>
-void SumNodes(const LevelType& level, const SemiSharpStages<Id>& creases,
-  const VertexNames<Id>& names, const std::vector<PlaceNodes<Id>>& nodes,
-  std::vector<PlaceRow<Id>>& rows)
-{
-  const std::vector<std::array<Id, 2>>& midpoints = names.GetMidpoints();
-  Buffer<unsigned char> wanted(
-    level.Complex.NumberOfVertices + static_cast<vtkIdType>(midpoints.size()), 0);
-  for (const PlaceNodes<Id>& place : InTurn(nodes))
-  {
-    for (const Id vertex : place.Vertices)
-    {
-      wanted[vertex] = 1;
-    }
-  }
-  const LocalLimit<Id> limit(level, creases, midpoints, wanted);
-  ForPlacesInThreads(
-    nodes.size(), [&]() { return std::make_shared<NodeSum<Id>>(limit); },
-    [&](NodeSum<Id>& sum, std::size_t i)
-    { nodes[i].Vertices.empty() ? void() : sum.Find(nodes[i], rows[i]); });
-}
-
-/// The same where nothing moves: nodes are control vertices.
-template <typename Id>
-void TakeNodes(const std::vector<PlaceNodes<Id>>& nodes, std::vector<PlaceRow<Id>>& rows)
-{
-  for (const std::size_t i : InTurn(nodes.size()))
-  {
-    std::map<Id, PartWeights> columns;
-    for (std::size_t n = 0; n < nodes[i].Vertices.size(); ++n)
-    {
-      columns[nodes[i].Vertices[n]] = nodes[i].Weights[n];
-    }
-    for (const auto& [column, weights] : columns)
-    {
-      rows[i].Columns.push_back(column);
-      rows[i].Weights.push_back(weights);
-    }
-  }
-}
-
 /// Puts the rows of all places together, in threads.
 template <typename Id>
 void Combine(LoopWeights weights, const std::vector<LimitPlace<Id>>& places,
-  const std::vector<PlaceNodes<Id>>& nodes, const std::vector<PlaceRow<Id>>& ready,
+  const std::vector<PlaceInPatch<Id>>& patches, const std::vector<PlaceRow<Id>>& ready,
   PlaceDerivatives derivatives, PlaceRows<Id>& rows)
 {
   const auto size = static_cast<vtkIdType>(places.size());
@@ -446,7 +310,7 @@ void Combine(LoopWeights weights, const std::vector<LimitPlace<Id>>& places,
         }
         for (vtkIdType i = begin; i < end; ++i)
         {
-          act(i, *made, made->FindColumns(nodes[i], ready[i]));
+          act(i, *made, made->FindColumns(patches[i], ready[i]));
         }
       });
   };
@@ -460,7 +324,7 @@ void Combine(LoopWeights weights, const std::vector<LimitPlace<Id>>& places,
     [&](vtkIdType i, auto& made, const std::vector<Id>& columns)
     {
       std::copy(columns.begin(), columns.end(), rows.Columns.begin() + rows.Offsets[i]);
-      made.Sum(places[i], nodes[i], ready[i], rows.GetWeights(i));
+      made.Sum(places[i], patches[i], ready[i], rows.GetWeights(i));
     });
 }
 
@@ -502,30 +366,25 @@ PlaceLimits<Id>::PlaceLimits(const LevelType& level, const SemiSharpStages<Id>& 
 {
   std::vector<LimitPlace<Id>> ordered;
   const std::vector<LimitPlace<Id>>& places = OrderCorners(asked, ordered);
-  constexpr bool isLinear = std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value;
-  VertexNames<Id> names(level.Complex.NumberOfVertices);
   RegularReader<LevelType> reader(level, places);
   std::vector<PlaceRow<Id>> ready(places.size());
-  const LevelLattices<LevelType> lattices(level, creases);
-  if constexpr (!isLinear)
+  std::vector<PlaceInPatch<Id>> patches(places.size());
+  if constexpr (std::is_same<SchemeOf<LevelType>, LinearScheme<Id>>::value)
   {
+    ready = FindLinear(places);
+  }
+  else
+  {
+    const LevelLattices<LevelType> lattices(level, creases);
     if (FindDimension(places) == 3)
     {
       ready = FindSolidRows(level, lattices, places);
     }
-  }
-  const std::vector<PlaceNodes<Id>> nodes = FindNodes(level, reader, lattices.GetSharp(), places,
-    ready, derivatives != PlaceDerivatives::None, names);
-  if constexpr (isLinear)
-  {
-    TakeNodes(nodes, ready);
-  }
-  else
-  {
-    SumNodes(level, creases, names, nodes, ready);
+    patches =
+      FindPatches(lattices, level, reader, places, derivatives != PlaceDerivatives::None, ready);
   }
   this->Rows.NumberOfColumns = level.Complex.NumberOfVertices;
-  Combine(reader.GetWeights(), places, nodes, ready, derivatives, this->Rows);
+  Combine(reader.GetWeights(), places, patches, ready, derivatives, this->Rows);
 }
 
 SUBDIVISION_COMPILE(struct PlaceLimits);

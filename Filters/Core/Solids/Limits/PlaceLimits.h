@@ -9,7 +9,7 @@
  * (LocalLimit.h), and so needs no other mechanism for its basis. A simplex that is not regular is
  * split, and the part with the place is looked at, until it is regular or so small that a
  * polynomial is the limit but for rounding. The limits of its vertices are passed back from level
- * to level, so that derivatives are exact however small the part is (PlaceSum.h, LocalLattice.h).
+ * to level, so that derivatives are exact however small the part is (PlaceSum.h, SharpLattice.h).
  * Polynomials of large parts of curves and sheets are found once for all simplices with the same
  * neighbourhood (PatchPolynomials.h), and inside of regular sheets they are those of the box spline
  * (SplineColumns.h). In solids each place has a row of its own (SolidPlaces.h).

@@ -4,8 +4,6 @@
 #include "Core/Solids/Complex/Simplices.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <numeric>
 #include <utility>
 

@@ -32,6 +32,7 @@ struct RegularSimplex
   /// that fewer different neighbourhoods serve a mesh. The first one is corner Turn of a place.
   std::array<Id, 4> Corners;
   int Turn = 0;
+  Id Number = -1; ///< of the vertex, edge or face
   RegularParts Parts{};
   /// Whether it is a part of a curve, or of a sheet, inside of which all is regular. Then this is
   /// what the limit over it depends on.
@@ -83,6 +84,7 @@ public:
     if (isNew)
     {
       found->second.Corners = place.Corners;
+      found->second.Number = place.Dimension == 0 ? place.Corners[0] : Id(-1);
     }
     if (isNew && place.Dimension == 1)
     {
@@ -109,6 +111,7 @@ private:
   {
     RegularParts& parts = simplex.Parts;
     const Id edge = this->Edges.Find(corners.data());
+    simplex.Number = edge;
     parts[3] = edge >= 0 && this->IsRegularEdge(edge);
     const bool isCurve = parts[3] && this->Level.Strata.Edges[edge].GetRule() == Rule::Curve;
     for (int i = 0; i < 2; ++i)
@@ -159,6 +162,7 @@ private:
     const auto& corners = simplex.Corners;
     const std::array<Id, 3> ordered{ { corners[0], corners[1], corners[2] } };
     const Id face = this->Faces.Find(ordered.data());
+    simplex.Number = face;
     if (face < 0 || this->Level.Strata.Faces[face].GetRule() != Rule::Surface)
     {
       return;

@@ -75,30 +75,18 @@ Restriction<LevelType>::Restriction(const LevelType& level, const Buffer<unsigne
 }
 
 template <typename LevelType>
-Buffer<unsigned char> Restriction<LevelType>::FlagWhole(
-  const LevelType& part, const Buffer<unsigned char>& before) const
+Restriction<LevelType>::Restriction(const LevelType& level, const PartsOfLevel& kept)
+  : Whole(level)
+  , At(kept.Vertices)
+  , Solids(level)
+  , Vertices(kept.Vertices)
+  , Edges(kept.Edges)
+  , Faces(kept.Faces)
+  , Tets(Buffer<unsigned char>(level.Complex.NumberOfTets, 0))
+  , Octs(Buffer<unsigned char>(SchemeOf<LevelType>::CountCentres(level), 0))
+  , EdgesInside(Copy(kept.Edges))
+  , FacesInside(Copy(kept.Faces))
 {
-  const vtkIdType vertices = this->Vertices.Old.size();
-  const vtkIdType edges = this->Edges.Old.size();
-  Buffer<unsigned char> whole(vertices + edges + SchemeOf<LevelType>::CountCentres(part), 1);
-  ForEach(vertices,
-    [&](vtkIdType v)
-    {
-      const Id old = this->Vertices.Old[v];
-      whole[v] = this->At[old] && (before.empty() || before[old]);
-    });
-  ForEach(edges,
-    [&](vtkIdType e)
-    {
-      const Id* ends = part.Complex.EdgeVertices.data() + 2 * e;
-      whole[vertices + e] =
-        this->EdgesInside[this->Edges.Old[e]] && (whole[ends[0]] || whole[ends[1]]);
-    });
-  for (const SectorEdge<Id>& sector : part.Strata.Sectors)
-  {
-    whole[vertices + sector.Edge] &= sector.IsComplete() ? 1 : 0;
-  }
-  return whole; // centres have all vertices
 }
 
 /// The solids at each face.
@@ -273,7 +261,6 @@ Strata<typename LevelType::IdType> Restriction<LevelType>::Restrict(const Strata
   return part;
 }
 
-/// The numbers of the spokes of control vertices that are kept.
 template <typename LevelType>
 std::shared_ptr<const Buffer<typename LevelType::IdType>> Restriction<LevelType>::RestrictSpokes(
   const Strata<Id>& strata, const std::shared_ptr<const Buffer<Id>>& spokes) const
@@ -298,27 +285,6 @@ std::shared_ptr<const Buffer<typename LevelType::IdType>> Restriction<LevelType>
     std::copy(kept.begin(), kept.end(), part->begin());
     return part;
   }
-}
-
-template <typename LevelType>
-SemiSharpStages<typename LevelType::IdType> Restriction<LevelType>::Restrict(
-  const SemiSharpStages<Id>& creases) const
-{
-  SemiSharpStages<Id> part;
-  if (!creases.Sharpness.empty())
-  {
-    part.Sharpness = this->Edges.Pick(creases.Sharpness);
-  }
-  if (!creases.FaceSharpness.empty())
-  {
-    part.FaceSharpness = this->Faces.Pick(creases.FaceSharpness);
-  }
-  for (const SharpStage<Id>& stage : creases.Stages)
-  {
-    part.Stages.push_back({ stage.Until, this->Restrict(stage.Strata),
-      this->RestrictSpokes(stage.Strata, stage.TetsAtSpokes) });
-  }
-  return part;
 }
 
 template class Restriction<Level<int>>;

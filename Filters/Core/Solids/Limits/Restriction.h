@@ -8,12 +8,19 @@
 
 #include "Core/Memory/Selection.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/LimitStencils.h"
 
 #include <memory>
 
 namespace subdivision
 {
+
+/// Flags vertices, edges and faces of a level.
+struct PartsOfLevel
+{
+  Buffer<unsigned char> Vertices;
+  Buffer<unsigned char> Edges;
+  Buffer<unsigned char> Faces;
+};
 
 /**
  * Chooses the part of a level of any scheme: all simplices and other solids at some vertices, and
@@ -33,9 +40,15 @@ public:
   /// Both must outlive the restriction.
   Restriction(const LevelType& level, const Buffer<unsigned char>& at);
 
+  /// Chooses these parts alone, which have all that their rules read, and no solids.
+  Restriction(const LevelType& level, const PartsOfLevel& kept);
+
   /// The part; none of its cells counts as a cell of the output.
   LevelType Restrict() const;
-  SemiSharpStages<Id> Restrict(const SemiSharpStages<Id>& creases) const;
+  /// Other strata of the level, and the numbers of their spokes, in the part.
+  Strata<Id> Restrict(const Strata<Id>& strata) const;
+  std::shared_ptr<const Buffer<Id>> RestrictSpokes(
+    const Strata<Id>& strata, const std::shared_ptr<const Buffer<Id>>& spokes) const;
 
   /// The number in the part of each vertex of the level (-1 if it is not kept), and the inverse.
   const Buffer<Id>& GetNewVertices() const { return this->Vertices.New; }
@@ -44,15 +57,10 @@ public:
   const Buffer<Id>& GetNewEdges() const { return this->Edges.New; }
   const Buffer<Id>& GetNewFaces() const { return this->Faces.New; }
   const Buffer<Id>& GetNewTets() const { return this->Tets.New; }
-  /// The edges, faces, tetrahedra and octahedra of the level that the part has.
+  /// The edges, faces and octahedra of the level that the part has.
   const Buffer<Id>& GetOldEdges() const { return this->Edges.Old; }
   const Buffer<Id>& GetOldFaces() const { return this->Faces.Old; }
-  const Buffer<Id>& GetOldTets() const { return this->Tets.Old; }
   const Buffer<Id>& GetOldOcts() const { return this->Octs.Old; }
-  vtkIdType GetNumberOfTets() const { return this->Tets.New.size(); } ///< of the level
-  /// Flags the vertices that `part`, which Restrict() made, has when it is refined where nothing is
-  /// missing. `before`: those of the level; empty: all.
-  Buffer<unsigned char> FlagWhole(const LevelType& part, const Buffer<unsigned char>& before) const;
 
 private:
   Buffer<Stratum> Restrict(const Buffer<Stratum>& strata, const Selection<Id>& owners,
@@ -64,10 +72,7 @@ private:
   Rings<Id> Restrict(const Rings<Id>& rings, const Selection<Id>& owners,
     const Buffer<unsigned char>& isInside, const Selection<Id>& carriers,
     const FirstSolid& firstSolid) const;
-  Strata<Id> Restrict(const Strata<Id>& strata) const;
   Rows<Id> RestrictFaceCells() const;
-  std::shared_ptr<const Buffer<Id>> RestrictSpokes(
-    const Strata<Id>& strata, const std::shared_ptr<const Buffer<Id>>& spokes) const;
 
   const LevelType& Whole;
   const Buffer<unsigned char>& At;

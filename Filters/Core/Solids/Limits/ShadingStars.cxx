@@ -7,6 +7,7 @@
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/Limits/LevelStar.h"
+#include "Core/Solids/Limits/SolidsAtFaces.h"
 
 #include <array>
 #include <utility>
@@ -31,9 +32,6 @@ ShadingCells<typename Level::IdType> FindShadingCells(const Level& level, int st
 namespace
 {
 
-/// Local matrices are full ones. Stars of more edges are those of the level.
-constexpr std::size_t MostEdges = 200;
-
 /// What lies at a vertex: a corner of a triangle with two edges and their solid, or a line with one
 /// edge, or nothing.
 template <typename Id>
@@ -57,8 +55,7 @@ public:
     , Complex(level.Complex)
     , Creases(creases)
     , Sharp(creases.ListParts(level.Complex))
-    , Solids(solids)
-    , Tets(level, solids.Steps)
+    , Solids(level, solids)
     , Cells(cells)
     , RowsOf(rows)
   {
@@ -110,8 +107,7 @@ private:
   const SimplicialComplex<Id>& Complex;
   const SemiSharpStages<Id>& Creases;
   const SharpParts Sharp;
-  const ControlSolids& Solids;
-  const typename Scheme::ControlTets Tets;
+  const SolidsAtFaces<Scheme> Solids;
   const ShadingCells<Id>& Cells;
   const Buffer<Id>& RowsOf;
   std::vector<Part> Parts;
@@ -130,7 +126,7 @@ void ShadingBuilder<Scheme>::Collect()
     const bool isCell = face < this->Cells.Triangles.size() && this->Cells.Triangles[face] >= 0;
     const Id* corners = this->Complex.FaceVertices.data() + 3 * vtkIdType(f);
     const Id* edges = this->Complex.FaceEdges.data() + 3 * vtkIdType(f);
-    for (int k = 0; k < 3 && (isCell || this->Complex.FaceTets[f].size() < 2); ++k)
+    for (int k = 0; k < 3 && (isCell || this->Solids.Count(f) < 2); ++k)
     {
       if (isMissing(corners[k]))
       {
@@ -165,17 +161,14 @@ void ShadingBuilder<Scheme>::Collect()
 template <typename Scheme>
 vtkIdType ShadingBuilder<Scheme>::GetSide(const Part& part) const
 {
-  const Row<Id> solids = this->Complex.FaceTets[part.Face];
-  if (solids.size() != 1)
+  vtkIdType side = -1;
+  if (this->Solids.Count(part.Face) == 1)
   {
-    return -1;
+    this->Solids.ForSides(part.Face,
+      { part.Vertex, this->GetFarEnd(part, 0), this->GetFarEnd(part, 1) },
+      [&side](vtkIdType found) { side = found; });
   }
-  const Id cell = *solids.begin();
-  const Id corners[3] = { part.Vertex, this->GetFarEnd(part, 0), this->GetFarEnd(part, 1) };
-  const vtkIdType tet =
-    this->Solids.IsOfLevel ? static_cast<vtkIdType>(cell) : this->Tets.Find(cell);
-  const vtkIdType number = this->Solids.Numbers.empty() ? tet : this->Solids.Numbers[tet];
-  return 2 * number + (Scheme::GetTurn(this->Here, cell, corners) < 0 ? 1 : 0);
+  return side;
 }
 
 /// Adds a star whose rows are not made yet: corners and lines name edges by their order.
@@ -233,7 +226,7 @@ std::vector<LimitRow<typename Scheme::Id>> ShadingBuilder<Scheme>::MakeStar(
   const bool isCurve = corners.empty() && edges.size() == 2 &&
     this->Here.Strata.Vertices[vertex].GetRule() == Rule::Curve &&
     this->Sharp.GetMostSharpness(vertex) <= 0.;
-  if (!Scheme::Traits.HasTangents || isCurve || edges.size() > MostEdges)
+  if (!Scheme::Traits.HasTangents || isCurve || edges.size() > MostEdgesOfStars)
   {
     std::vector<LimitRow<Id>> rows;
     for (const Id edge : edges)

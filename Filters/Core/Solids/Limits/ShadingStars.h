@@ -12,6 +12,7 @@
 #include "Core/Solids/Limits/LimitStencils.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace subdivision
@@ -24,7 +25,10 @@ struct ControlSolids
 {
   std::vector<vtkIdType> Numbers;
   int Steps = 0;
-  bool IsOfLevel = false; ///< Numbers has one for each solid of the level instead
+  /// For a skin (Skin.h), whose faces have no solids: the sides (LimitTangents::Sides) of each of
+  /// its faces some steps before, seen in the order of its vertices.
+  const Rows<vtkIdType>* OfSkin = nullptr;
+  int SkinSteps = 0;
 };
 
 /// Whether a side (LimitTangents::Sides) has its solid behind it. `inverted`: as in
@@ -33,6 +37,9 @@ inline bool IsOutwards(vtkIdType side, const std::vector<vtkIdType>& inverted)
 {
   return (side % 2 == 1) == std::binary_search(inverted.begin(), inverted.end(), side - side % 2);
 }
+
+/// Local matrices are full ones. Stars of more edges are those of the level.
+constexpr std::size_t MostEdgesOfStars = 200;
 
 template <typename Id>
 struct ShadingStars

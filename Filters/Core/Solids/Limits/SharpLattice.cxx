@@ -2,6 +2,8 @@
 #include "Core/Solids/Limits/SharpLattice.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Operators/ShadingNormals.h"
+#include "Core/Solids/Limits/LatticeLimit.h"
 
 namespace subdivision
 {
@@ -96,34 +98,92 @@ bool SharpLattice<Id, Lattice>::ReadBlend(
 }
 
 template <typename Id, typename Lattice>
-bool SharpLattice<Id, Lattice>::ReadLimitAfterStep(
-  const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
+bool SharpLattice<Id, Lattice>::StepBack(LatticeRow<Id>& row) const
 {
-  LatticeRow<Id> next;
+  LatticeRow<Id> own;
   Sum sum;
-  bool isKnown = this->ReadLimit(vertex.Double(), next);
-  for (std::size_t i = 0; isKnown && i < next.Vertices.size(); ++i)
+  bool isKnown = true;
+  for (std::size_t i = 0; isKnown && i < row.Vertices.size(); ++i)
   {
-    isKnown = this->ReadRow(next.Vertices[i], row);
-    AddTo(sum, next.Weights[i], row);
+    isKnown = this->ReadRow(row.Vertices[i], own);
+    AddTo(sum, row.Weights[i], own);
   }
   Write(sum, row);
   return isKnown;
 }
 
-/// Around a vertex all levels look the same, so that the rows of later steps are those of the next
-/// one, with another sharpness. There may be more of these than levels that a vertex has a name on.
 template <typename Id, typename Lattice>
 bool SharpLattice<Id, Lattice>::ReadSharpLimit(
   const LatticeVertex<Id>& vertex, int steps, LatticeRow<Id>& row)
 {
-  const int level = CountLevels(vertex);
   LatticeStar<Id> star;
   bool isKnown = this->Smooth.AddStar(vertex, star) && this->Smooth.ReadLimit(vertex, row);
-  for (std::size_t stage = this->FindStage(level); stage < this->OfStages.size(); ++stage)
+  for (std::size_t stage = this->FindStage(CountLevels(vertex)); stage < this->OfStages.size();
+    ++stage)
   {
     isKnown = isKnown && this->OfStages[stage].AddStar(vertex, star);
   }
+  return isKnown && this->GoBack(star, steps, row);
+}
+
+template <typename Id, typename Lattice>
+bool SharpLattice<Id, Lattice>::ReadStar(const LatticeStar<Id>& star, std::size_t size,
+  const std::vector<std::array<int, 2>>& corners, int made, std::vector<LatticeRow<Id>>& rows)
+{
+  const LatticeVertex<Id>& vertex = star.Items[0];
+  const double most = this->GetSharpnessLeft(vertex);
+  const int steps = most > 0.
+    ? std::min(static_cast<int>(std::ceil(most)), std::max(1, MostStepsOfStars - made))
+    : 0;
+  // On curves inside a face the rules of its edges depend on which weights are odd.
+  Neighbourhood key{ vertex.Dimension, made + steps };
+  AppendId(vertex.Simplex, key);
+  for (const long long weight : vertex.Weights)
+  {
+    key.push_back(vertex.Dimension == 2 ? static_cast<int>(weight % 2) : 0);
+  }
+  const std::size_t items = star.Items.size();
+  const std::vector<double>* found = this->Stars.Find(key,
+    [&](std::vector<double>& solved)
+    {
+      SolvedRows local;
+      const bool isKnown = ReadStarRows(this->Smooth, star, local);
+      solved = isKnown ? FindStarRows(ReadLocalRows(local, Neighbourhood(), items).Fill(), items,
+                           corners, made + steps)
+                       : solved;
+      return isKnown;
+    });
+  if (!found)
+  {
+    return false;
+  }
+  const double* weights = found->data();
+  rows.resize(size);
+  bool isKnown = true;
+  for (std::size_t i = 0; isKnown && i < size; ++i, weights += items)
+  {
+    rows[i].Clear();
+    for (std::size_t k = 0; k < items; ++k)
+    {
+      weights[k] != 0. ? rows[i].Add(star.Items[k], weights[k]) : void();
+    }
+    isKnown = this->GoBack(star, steps, rows[i]);
+  }
+  return isKnown;
+}
+
+/// Goes back over the steps in which something around a vertex is still sharp. All levels look the
+/// same there, so that the rows of later steps are those of the next one, with another sharpness.
+/// There may be more of these than levels that a vertex has a name on.
+template <typename Id, typename Lattice>
+bool SharpLattice<Id, Lattice>::GoBack(
+  const LatticeStar<Id>& star, int steps, LatticeRow<Id>& row) const
+{
+  if (steps <= 0)
+  {
+    return true;
+  }
+  const int level = CountLevels(star.Items[0]);
   Sum items; // numbers them; the weights mean nothing
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < star.Items.size(); ++i)
@@ -132,6 +192,7 @@ bool SharpLattice<Id, Lattice>::ReadSharpLimit(
   }
   Sum sum;
   AddTo(sum, 1., row);
+  bool isKnown = true;
   for (int step = level + steps - 1; isKnown && step >= level; --step)
   {
     Sum before;

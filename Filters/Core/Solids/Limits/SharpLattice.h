@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <type_traits>
@@ -91,6 +92,18 @@ public:
 
   /// Knows where vertices are.
   const Lattice& GetSmooth() const { return this->Smooth; }
+  /// Knows where vertices on curves and surfaces are.
+  const BoxSplineLattice<Id>& GetCurved() const
+  {
+    if constexpr (std::is_same<Lattice, BoxSplineLattice<Id>>::value)
+    {
+      return this->Smooth;
+    }
+    else
+    {
+      return this->Smooth.GetCurved();
+    }
+  }
   bool IsSharp(int dimension, Id simplex) const { return this->Sharp.Has(dimension, simplex); }
 
   /// The row of a vertex over the level before it. False: a rule is unknown.
@@ -100,23 +113,27 @@ public:
       ? this->ReadBlend(vertex, CountLevels(vertex) - 1, row)
       : this->Smooth.ReadRow(vertex, row);
   }
+  /// Makes a row over the level before of one over a level. False: a rule is unknown.
+  bool StepBack(LatticeRow<Id>& row) const;
   /// The limit of a vertex over its own level (Mathematics 8).
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row)
   {
     if (this->IsNextOther(vertex))
     {
-      return this->ReadLimitAfterStep(vertex, row);
+      return this->ReadLimit(vertex.Double(), row) && this->StepBack(row);
     }
-    const double most = this->Sharp.Has(vertex.Dimension, vertex.Simplex)
-      ? this->Sharp.GetMostSharpness(vertex.Dimension, vertex.Simplex) - CountLevels(vertex)
-      : 0.;
+    const double most = this->GetSharpnessLeft(vertex);
     return most > 0. ? this->ReadSharpLimit(vertex, static_cast<int>(std::ceil(most)), row)
                      : this->Smooth.ReadLimit(vertex, row);
   }
+  /// The rows of a star (ShadingNormals.h): where `size` of its items, after the vertex itself, lie
+  /// in the end, seen from the vertex. It has no item twice, and all that its rows read; on one
+  /// control simplex all stars have the same items in the same order. `corners` and `made` as in
+  /// FindStarRows. False: a rule is unknown.
+  bool ReadStar(const LatticeStar<Id>& star, std::size_t size,
+    const std::vector<std::array<int, 2>>& corners, int made, std::vector<LatticeRow<Id>>& rows);
 
-private:
-  using Sum = VertexSum<LatticeVertex<Id>, std::array<double, 1>>;
-
+  /// On which level a vertex is.
   static int CountLevels(const LatticeVertex<Id>& vertex)
   {
     const LatticeWeights& weights = vertex.Weights;
@@ -128,14 +145,6 @@ private:
     }
     return levels;
   }
-  std::size_t FindStage(int step) const
-  {
-    const auto& stages = this->Sharp.GetCreases().Stages;
-    const auto found = std::find_if(stages.begin(), stages.end(),
-      [step](const SharpStage<Id>& stage) { return stage.Until > step; });
-    return static_cast<std::size_t>(found - stages.begin()) - (found == stages.end() ? 1 : 0);
-  }
-
   /// Whether rules around a vertex are others in the next step than in later ones: on the control
   /// level, and on a control edge beside an end at which there are sectors.
   bool IsNextOther(const LatticeVertex<Id>& vertex) const
@@ -147,8 +156,27 @@ private:
       (vertex.Dimension == 1 && std::min(weights[0], weights[1]) == 1 &&
         std::any_of(this->Sectors.begin(), this->Sectors.end(), hasSectors));
   }
-  bool ReadLimitAfterStep(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
+  /// How much of the sharpness at a vertex is left after the steps that made it.
+  double GetSharpnessLeft(const LatticeVertex<Id>& vertex) const
+  {
+    return this->Sharp.Has(vertex.Dimension, vertex.Simplex)
+      ? this->Sharp.GetMostSharpness(vertex.Dimension, vertex.Simplex) - CountLevels(vertex)
+      : 0.;
+  }
+
+private:
+  using Sum = VertexSum<LatticeVertex<Id>, std::array<double, 1>>;
+
+  std::size_t FindStage(int step) const
+  {
+    const auto& stages = this->Sharp.GetCreases().Stages;
+    const auto found = std::find_if(stages.begin(), stages.end(),
+      [step](const SharpStage<Id>& stage) { return stage.Until > step; });
+    return static_cast<std::size_t>(found - stages.begin()) - (found == stages.end() ? 1 : 0);
+  }
+
   bool ReadSharpLimit(const LatticeVertex<Id>& vertex, int steps, LatticeRow<Id>& row);
+  bool GoBack(const LatticeStar<Id>& star, int steps, LatticeRow<Id>& row) const;
   bool ReadBlend(const LatticeVertex<Id>& vertex, int step, LatticeRow<Id>& row) const;
   double GetWeight(const LatticeVertex<Id>& vertex, int step) const;
   static void Write(const Sum& sum, LatticeRow<Id>& row)
@@ -171,6 +199,7 @@ private:
   Lattice Smooth;
   const SharpSimplices<Id>& Sharp;
   std::deque<Lattice> OfStages;
+  LatticeLimits Stars{ 256 };
   std::vector<const std::vector<SectorEdge<Id>>*> Sectors; ///< smooth ones, those of stages
 };
 

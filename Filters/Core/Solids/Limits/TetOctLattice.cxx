@@ -399,24 +399,24 @@ bool TetOctLattice<Id>::ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>&
   return true;
 }
 
-/// Calls act(frame, own, other) for each vertex in a cell with a vertex: once for each cell.
+/// Adds all vertices in cells with a vertex; one that is there already is left out.
 template <typename Id>
-template <typename Act>
-void TetOctLattice<Id>::ForRing(const LatticeVertex<Id>& vertex, const Act& act) const
+void TetOctLattice<Id>::AddStarInSolid(
+  const LatticeVertex<Id>& vertex, Id solid, LatticeStar<Id>& star) const
 {
-  this->ForSolids(vertex,
-    [&](Id solid)
+  const Frame frame{ solid, this->GetSize(vertex) };
+  const Point own = this->Place(vertex, solid);
+  this->ForCells(frame, own,
+    [&](const Cell& cell)
     {
-      const Frame frame{ solid, this->GetSize(vertex) };
-      const Point own = this->Place(vertex, solid);
-      this->ForCells(frame, own,
-        [&](const Cell& cell)
+      for (int i = 1; i < cell.Size; ++i)
+      {
+        const LatticeVertex<Id> member = this->FindAt(frame, cell.Vertices[i]);
+        if (std::find(star.Items.begin(), star.Items.end(), member) == star.Items.end())
         {
-          for (int i = 1; i < cell.Size; ++i)
-          {
-            act(frame, own, cell.Vertices[i]);
-          }
-        });
+          star.Add(member, this->FindAt({ solid, 2 * frame.Size }, Add(own, cell.Vertices[i])));
+        }
+      }
     });
 }
 
@@ -538,15 +538,7 @@ bool TetOctLattice<Id>::AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>
       return isKnown && (vertex.Dimension > 0 || GrowStar(*this, this->Curved, star));
     }
   }
-  this->ForRing(vertex,
-    [&](const Frame& frame, const Point& own, const Point& other)
-    {
-      const LatticeVertex<Id> member = this->FindAt(frame, other);
-      if (std::find(star.Items.begin(), star.Items.end(), member) == star.Items.end())
-      {
-        star.Add(member, this->FindAt({ frame.Solid, 2 * frame.Size }, Add(own, other)));
-      }
-    });
+  this->ForSolids(vertex, [&](Id solid) { this->AddStarInSolid(vertex, solid, star); });
   return vertex.Dimension > 0 || GrowStar(*this, this->Curved, star);
 }
 

@@ -47,10 +47,13 @@ public:
   /// The vertex with some weights of the corners of a tetrahedron, none of which is negative, or
   /// with coordinates in an octahedron.
   LatticeVertex<Id> Find(Id solid, const LatticeWeights& weights) const;
+  /// Finds vertices on curves and surfaces.
+  const BoxSplineLattice<Id>& GetCurved() const { return this->Curved; }
 
   bool ReadRow(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   bool ReadLimit(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row);
   bool AddStar(const LatticeVertex<Id>& vertex, LatticeStar<Id>& star) const;
+  void AddStarInSolid(const LatticeVertex<Id>& vertex, Id solid, LatticeStar<Id>& star) const;
 
 private:
   using Point = std::array<long long, 3>;
@@ -103,8 +106,6 @@ private:
     LatticeRow<Id>& row) const;
   std::array<Point, 2> FindEnds(const Frame& frame, const Point& at) const;
   int AddShares(const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const;
-  template <typename Act>
-  void ForRing(const LatticeVertex<Id>& vertex, const Act& act) const;
   bool ReadBlend(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   void AddSpokes(const LatticeVertex<Id>& vertex, LatticeRow<Id>& row) const;
   void AddNeighbours(const LatticeVertex<Id>& vertex, Id solid, LatticeRow<Id>& row) const;

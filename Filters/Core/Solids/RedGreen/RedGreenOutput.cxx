@@ -318,10 +318,9 @@ void MidpointRows<Id>::ForEachBlock(const User& use) const
 }
 
 template <typename Id>
-MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
+MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id, 2>>& ends)
 {
-  const Id inputs = state.GetNumberOfInputVertices();
-  const vtkIdType size = state.GetNumberOfVertices() - inputs;
+  const auto size = static_cast<vtkIdType>(ends.size());
   MidpointRows<Id> result;
   SparseRows<Id>& added = result.Added;
   added.NumberOfColumns = inputs;
@@ -347,7 +346,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
       }
       weights[k] += 0.5 * weight;
     };
-    for (Id end : state.GetEnds(static_cast<Id>(inputs + row)))
+    for (const Id end : ends[row])
     {
       if (end < inputs)
       {
@@ -370,7 +369,7 @@ MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
 
 SUBDIVISION_COMPILE(class RedGreenOutput);
 SUBDIVISION_COMPILE(struct MidpointRows);
-SUBDIVISION_COMPILE_FUNCTION(MakeMidpointRows);
+SUBDIVISION_COMPILE_FUNCTION(MakeRowsOfMidpoints);
 #define SUBDIVISION_RED_GREEN_OUTPUT(Id)                                                           \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<int>&) const;                      \
   template void RedGreenOutput<Id>::Write(const RedGreenStorage<long long>&) const

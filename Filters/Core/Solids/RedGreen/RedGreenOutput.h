@@ -109,8 +109,26 @@ struct MidpointRows : PointOperator
   void ForEachBlock(const User& use) const override;
 };
 
+/// `ends`: of each midpoint, after `inputs` vertices.
 template <typename Id>
-MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state);
+MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id, 2>>& ends);
+
+/// The ends of the midpoints of a state.
+template <typename Id>
+std::vector<std::array<Id, 2>> ListEnds(const RedGreen<Id>& state)
+{
+  const Id inputs = state.GetNumberOfInputVertices();
+  std::vector<std::array<Id, 2>> ends(state.GetNumberOfVertices() - inputs);
+  ForEach(static_cast<vtkIdType>(ends.size()),
+    [&](vtkIdType i) { ends[i] = state.GetEnds(static_cast<Id>(inputs + i)); });
+  return ends;
+}
+
+template <typename Id>
+MidpointRows<Id> MakeMidpointRows(const RedGreen<Id>& state)
+{
+  return MakeRowsOfMidpoints(state.GetNumberOfInputVertices(), ListEnds(state));
+}
 
 }
 

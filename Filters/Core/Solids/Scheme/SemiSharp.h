@@ -36,11 +36,16 @@ struct SharpRow
   double Sharpness; ///< that remains, a mean
 };
 
-/// Lists the lines and triangles of a level that are still sharp, for the row of each vertex and
-/// edge in them. Rows of edges come after rows of vertices.
+/// Lists the lines and faces of a level that are still sharp, for the row of each vertex and edge
+/// in them. Rows of edges come after rows of vertices.
 class SharpParts
 {
 public:
+  /// Adds a part to a row.
+  void Add(vtkIdType row, bool isFace, double sharpness)
+  {
+    this->Parts.push_back({ row, isFace, sharpness });
+  }
   template <typename Id>
   void AddEdge(const SimplicialComplex<Id>& complex, vtkIdType edge, double sharpness);
   template <typename Id>

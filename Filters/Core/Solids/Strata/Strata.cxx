@@ -69,8 +69,8 @@ Rings<Id> MakeRings(const Rows<Id>& around, const AcceptAll& acceptAll, const Ac
 
 /// The non-manifold type: 1 in several C_k, otherwise the type of the place in the only C_k, 0 for
 /// manifold.
-template <typename Id>
-int StrataBuilder<Id>::TypeOf(unsigned char dimensions, const Place places[4]) const
+template <typename Id, typename AnyComplex>
+int StrataDecisions<Id, AnyComplex>::TypeOf(unsigned char dimensions, const Place places[4]) const
 {
   if (dimensions & (dimensions - 1))
   {
@@ -86,8 +86,8 @@ int StrataBuilder<Id>::TypeOf(unsigned char dimensions, const Place places[4]) c
   return 0;
 }
 
-template <typename Id>
-JointRule StrataBuilder<Id>::Choice(int type, unsigned char regional) const
+template <typename Id, typename AnyComplex>
+JointRule StrataDecisions<Id, AnyComplex>::Choice(int type, unsigned char regional) const
 {
   JointRule rule = type == 1 ? this->Options.Type1
     : type == 2              ? this->Options.Type2
@@ -102,8 +102,8 @@ JointRule StrataBuilder<Id>::Choice(int type, unsigned char regional) const
   return exists ? rule : JointRule::Blend;
 }
 
-template <typename Id>
-int StrataBuilder<Id>::CountSingularFaces(Id edge) const
+template <typename Id, typename AnyComplex>
+int StrataDecisions<Id, AnyComplex>::CountSingularFaces(Id edge) const
 {
   int count = 0;
   if (!this->Singular.Faces.empty())
@@ -116,10 +116,10 @@ int StrataBuilder<Id>::CountSingularFaces(Id edge) const
   return count;
 }
 
-template <typename Id>
-Stratum StrataBuilder<Id>::DecideFace(Id face) const
+template <typename Id, typename AnyComplex>
+Stratum StrataDecisions<Id, AnyComplex>::DecideFace(Id face) const
 {
-  const vtkIdType tets = this->Complex.FaceTets[face].size();
+  const vtkIdType tets = this->CountSolids(face);
   const int type = tets > 2 ? 2 : 0;
   if (tets < 2 || this->IsSingularFace(face))
   {
@@ -136,8 +136,8 @@ Stratum StrataBuilder<Id>::DecideFace(Id face) const
 }
 
 /// Common neighbours of the ends of a Blend edge that lie on no face with it.
-template <typename Id>
-void StrataBuilder<Id>::CollectRelief(
+template <typename Id, typename AnyComplex>
+void StrataDecisions<Id, AnyComplex>::CollectRelief(
   Id edge, const Decision& decision, std::vector<Id>& relief) const
 {
   // Search at the end with fewer edges: otherwise a vertex of high valence would be searched once
@@ -173,7 +173,7 @@ void StrataBuilder<Id>::CollectRelief(
   {
     if (this->IsInEdgeRing(face, decision))
     {
-      spanned.push_back(this->Complex.VertexOpposite(face, edge));
+      spanned.push_back(GetOppositeVertex(this->Complex, face, edge));
     }
   }
   std::sort(spanned.begin(), spanned.end());
@@ -182,8 +182,9 @@ void StrataBuilder<Id>::CollectRelief(
 }
 
 /// The reliefs of all edges; empty where no edge has one.
-template <typename Id>
-std::vector<std::vector<Id>> StrataBuilder<Id>::CollectReliefs(const Buffer<Decision>& edges) const
+template <typename Id, typename AnyComplex>
+std::vector<std::vector<Id>> StrataDecisions<Id, AnyComplex>::CollectReliefs(
+  const Buffer<Decision>& edges) const
 {
   std::vector<std::vector<Id>> reliefs;
   if (std::none_of(edges.begin(), edges.end(),
@@ -207,6 +208,22 @@ std::vector<std::vector<Id>> StrataBuilder<Id>::CollectReliefs(const Buffer<Deci
   return reliefs;
 }
 
+template <typename Id, typename AnyComplex>
+void StrataDecisions<Id, AnyComplex>::DecideAll(Buffer<Decision>& edges, Buffer<Decision>& vertices)
+{
+  this->EdgeMarks = Buffer<unsigned char>(edges.size());
+  ForEach(edges.size(),
+    [&](vtkIdType e)
+    {
+      edges[e] = this->DecideEdge(static_cast<Id>(e));
+      this->EdgeMarks[e] = edges[e].Ring == RingKind::Creases ? 1
+        : edges[e].Ring == RingKind::SharpJoints              ? 2
+                                                              : 0;
+    });
+  ForEach(
+    vertices.size(), [&](vtkIdType v) { vertices[v] = this->DecideVertex(static_cast<Id>(v)); });
+}
+
 template <typename Id>
 Strata<Id> StrataBuilder<Id>::Build()
 {
@@ -216,26 +233,12 @@ Strata<Id> StrataBuilder<Id>::Build()
   strata.Weights = this->Options.Weights;
   strata.ModifiedBoundary = this->Options.ModifiedBoundary;
   Buffer<Decision> edgeDecisions(edges);
-  this->EdgeMarks = Buffer<unsigned char>(edges);
-  strata.Edges = Buffer<Stratum>(edges);
-  ForEach(edges,
-    [&](vtkIdType e)
-    {
-      const Decision decision = this->DecideEdge(static_cast<Id>(e));
-      edgeDecisions[e] = decision;
-      strata.Edges[e] = decision.Result;
-      this->EdgeMarks[e] = decision.Ring == RingKind::Creases ? 1
-        : decision.Ring == RingKind::SharpJoints              ? 2
-                                                              : 0;
-    });
   Buffer<Decision> vertexDecisions(vertices);
+  this->DecideAll(edgeDecisions, vertexDecisions);
+  strata.Edges = Buffer<Stratum>(edges);
+  ForEach(edges, [&](vtkIdType e) { strata.Edges[e] = edgeDecisions[e].Result; });
   strata.Vertices = Buffer<Stratum>(vertices);
-  ForEach(vertices,
-    [&](vtkIdType v)
-    {
-      vertexDecisions[v] = this->DecideVertex(static_cast<Id>(v));
-      strata.Vertices[v] = vertexDecisions[v].Result;
-    });
+  ForEach(vertices, [&](vtkIdType v) { strata.Vertices[v] = vertexDecisions[v].Result; });
   strata.Faces = Buffer<Stratum>(this->Complex.NumberOfFaces);
   ForEach(this->Complex.NumberOfFaces,
     [&](vtkIdType f) { strata.Faces[f] = this->DecideFace(static_cast<Id>(f)); });
@@ -255,12 +258,15 @@ Strata<Id> StrataBuilder<Id>::Build()
     std::vector<std::vector<Id>>());
   if (strata.ModifiedBoundary)
   {
-    strata.Sectors = this->CollectSectors(strata);
+    strata.Sectors = this->CollectSectors(edgeDecisions, vertexDecisions);
   }
   return strata;
 }
 
 SUBDIVISION_COMPILE(class StrataBuilder);
+SUBDIVISION_COMPILE(class StrataDecisions);
+template class StrataDecisions<int, CellComplex<int>>;
+template class StrataDecisions<long long, CellComplex<long long>>;
 
 template <typename Id>
 Strata<Id> BuildStrata(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,

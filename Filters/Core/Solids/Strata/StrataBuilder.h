@@ -7,6 +7,7 @@
 #ifndef SubdivisionObjects_StrataBuilder_h
 #define SubdivisionObjects_StrataBuilder_h
 
+#include "Core/Cells/CellComplex.h"
 #include "Core/Solids/Complex/Links.h"
 #include "Core/Solids/Strata/Strata.h"
 
@@ -51,12 +52,13 @@ constexpr Rule RuleOfDimension(int d)
   return static_cast<Rule>(d);
 }
 
-template <typename Id>
-class StrataBuilder
+/// The decisions on a SimplicialComplex or a CellComplex.
+template <typename Id, typename AnyComplex = SimplicialComplex<Id>>
+class StrataDecisions
 {
 public:
-  StrataBuilder(const SimplicialComplex<Id>& complex, const SingularSimplices& singular,
-    const StrataOptions& options)
+  StrataDecisions(
+    const AnyComplex& complex, const SingularSimplices& singular, const StrataOptions& options)
     : Complex(complex)
     , Singular(singular)
     , Options(options)
@@ -64,32 +66,43 @@ public:
   {
   }
 
-  Strata<Id> Build();
+  /// Decides all edges, then all vertices; `edges` and `vertices` have their sizes.
+  void DecideAll(Buffer<Decision>& edges, Buffer<Decision>& vertices);
+  Stratum DecideFace(Id face) const;
+  bool IsSingularFace(Id face) const
+  {
+    return !this->Singular.Faces.empty() && this->Singular.Faces[face];
+  }
+  bool IsInEdgeRing(Id face, const Decision& decision) const;
+  bool IsInVertexRing(Id edge, const Decision& decision) const;
+  /// For each Blend edge the common neighbours of its ends that lie on no triangle with it; empty
+  /// where no edge has one.
+  std::vector<std::vector<Id>> CollectReliefs(const Buffer<Decision>& edges) const;
+  /// The edges of sectors (StrataSectors.cxx).
+  std::vector<SectorEdge<Id>> CollectSectors(
+    const Buffer<Decision>& edges, const Buffer<Decision>& vertices) const;
+  const Links<Id, AnyComplex>& GetLinks() const { return this->Around; }
 
-private:
+protected:
   // Edges.
   Decision DecideEdge(Id edge) const;
   Decision DecideJointEdge(Id edge, int type, unsigned char dimensions, JointRule rule) const;
   Decision DecideEdgeIn(Id edge, int k, Place place, int type) const;
-  bool IsRegular(Id edge) const;
-  bool IsInEdgeRing(Id face, const Decision& decision) const;
   // Vertices.
   Decision DecideVertex(Id vertex) const;
   bool DecideSingularVertex(Id vertex, int type, Decision& decision) const;
   Decision DecideJointVertex(Id vertex, int type, unsigned char dimensions, JointRule rule) const;
   Decision DecideVertexIn(Id vertex, int k, Place place, int type) const;
-  bool IsInVertexRing(Id edge, const Decision& decision) const;
   bool LiesOnBoundaryCurve(Id vertex) const;
   int FindPartAtVertex(Id vertex, int k) const;
   int FindPartAtEdge(Id edge) const;
-  // Sectors.
-  void AppendSectors(
-    Id vertex, const Strata<Id>& strata, std::vector<SectorEdge<Id>>& sectors) const;
-  std::vector<SectorEdge<Id>> CollectSectors(const Strata<Id>& strata) const;
+  bool WalkSector(const Buffer<Decision>& edges, Id vertex, Id edge, Id face, std::vector<Id>& walk,
+    std::size_t& quads) const;
+  void AppendSectors(Id vertex, const Buffer<Decision>& edges, const Buffer<Decision>& vertices,
+    std::vector<SectorEdge<Id>>& sectors) const;
   // Shared.
   int TypeOf(unsigned char dimensions, const Place places[4]) const;
   JointRule Choice(int type, unsigned char regional) const;
-  Stratum DecideFace(Id face) const;
   int CountSingularFaces(Id edge) const;
   int PartOfEdge(Id e) const
   {
@@ -99,25 +112,40 @@ private:
   {
     return this->Options.FaceParts.empty() ? -1 : this->Options.FaceParts[f];
   }
+  vtkIdType CountSolids(Id face) const { return GetSolidsAt(this->Complex, face).size(); }
   bool HasSingular() const
   {
     return !this->Singular.Vertices.empty() || !this->Singular.Edges.empty() ||
       !this->Singular.Faces.empty();
   }
-  bool IsSingularFace(Id face) const
-  {
-    return !this->Singular.Faces.empty() && this->Singular.Faces[face];
-  }
   bool IsCrease(Id edge) const { return this->EdgeMarks[edge] & 1; }
   bool IsSharpJoint(Id edge) const { return this->EdgeMarks[edge] & 2; }
-  std::vector<std::vector<Id>> CollectReliefs(const Buffer<Decision>& edges) const;
   void CollectRelief(Id edge, const Decision& decision, std::vector<Id>& relief) const;
 
-  const SimplicialComplex<Id>& Complex;
+  const AnyComplex& Complex;
   const SingularSimplices& Singular;
   const StrataOptions& Options;
-  const Links<Id> Around;
+  const Links<Id, AnyComplex> Around;
   Buffer<unsigned char> EdgeMarks;
+};
+
+/// Whether an interior edge is one of the box spline's in the direction of valence 4: it has
+/// exactly four tetrahedra, and is marked in all four.
+template <typename Id>
+bool IsRegularEdge(const Links<Id>& links, Id edge);
+template <typename Id>
+bool IsRegularEdge(const Links<Id, CellComplex<Id>>&, Id)
+{
+  return false;
+}
+
+template <typename Id>
+class StrataBuilder : public StrataDecisions<Id>
+{
+public:
+  using StrataDecisions<Id>::StrataDecisions;
+
+  Strata<Id> Build();
 };
 
 }

@@ -11,7 +11,35 @@ namespace subdivision
 {
 
 template <typename Id>
-Decision StrataBuilder<Id>::DecideEdge(Id edge) const
+bool IsRegularEdge(const Links<Id>& links, Id edge)
+{
+  const SimplicialComplex<Id>& complex = links.Complex;
+  int faces = 0;
+  if (complex.NumberOfTriangleCells == 0 && links.EdgeFaces[edge].size() != 4)
+  {
+    return false;
+  }
+  for (Id face : links.EdgeFaces[edge])
+  {
+    const Row<Id> tets = complex.FaceTets[face];
+    if (tets.size() == 0)
+    {
+      continue; // a maximal triangle: the edge lies in C_2 too and follows C_3
+    }
+    ++faces;
+    for (Id tet : tets)
+    {
+      if (!tetrahedron::IsMarked(complex.EdgeInTet(tet, edge)))
+      {
+        return false;
+      }
+    }
+  }
+  return faces == 4;
+}
+
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideEdge(Id edge) const
 {
   const bool flagged = !this->Singular.Edges.empty() && this->Singular.Edges[edge];
   if (this->Complex.HasEdgesAlone())
@@ -46,8 +74,8 @@ Decision StrataBuilder<Id>::DecideEdge(Id edge) const
   return this->DecideEdgeIn(edge, k, places[k], 0);
 }
 
-template <typename Id>
-Decision StrataBuilder<Id>::DecideJointEdge(
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideJointEdge(
   Id edge, int type, unsigned char dimensions, JointRule rule) const
 {
   switch (rule)
@@ -82,8 +110,8 @@ Decision StrataBuilder<Id>::DecideJointEdge(
 
 /// Decides an edge inside C_k alone, where it has the given place. If it is a joint of C_k, it lies
 /// in other C_k too, which the choice FollowDimension ignores.
-template <typename Id>
-Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type) const
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideEdgeIn(Id edge, int k, Place place, int type) const
 {
   if (k == 1)
   {
@@ -96,9 +124,9 @@ Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type) 
                     : Decide(Rule::Curve, type, RingKind::BoundaryOfSurface);
     case Place::Interior:
     {
-      const Rule rule = k == 2  ? Rule::Surface
-        : this->IsRegular(edge) ? Rule::RegularEdge
-                                : Rule::Solid;
+      const Rule rule = k == 2              ? Rule::Surface
+        : IsRegularEdge(this->Around, edge) ? Rule::RegularEdge
+                                            : Rule::Solid;
       return DecideIn(rule, type, DimensionBit(k));
     }
     default:
@@ -116,37 +144,8 @@ Decision StrataBuilder<Id>::DecideEdgeIn(Id edge, int k, Place place, int type) 
   return decision;
 }
 
-/// An interior edge with exactly four tetrahedra that is marked in all four.
-template <typename Id>
-bool StrataBuilder<Id>::IsRegular(Id edge) const
-{
-  int faces = 0;
-  const bool areOfTets = this->Complex.NumberOfTriangleCells == 0;
-  if (areOfTets && this->Around.EdgeFaces[edge].size() != 4)
-  {
-    return false;
-  }
-  for (Id face : this->Around.EdgeFaces[edge])
-  {
-    const Row<Id> tets = this->Complex.FaceTets[face];
-    if (tets.size() == 0)
-    {
-      continue; // a maximal triangle: the edge lies in C_2 too and follows C_3
-    }
-    ++faces;
-    for (Id tet : tets)
-    {
-      if (!tetrahedron::IsMarked(this->Complex.EdgeInTet(tet, edge)))
-      {
-        return false;
-      }
-    }
-  }
-  return faces == 4;
-}
-
-template <typename Id>
-bool StrataBuilder<Id>::IsInEdgeRing(Id face, const Decision& decision) const
+template <typename Id, typename AnyComplex>
+bool StrataDecisions<Id, AnyComplex>::IsInEdgeRing(Id face, const Decision& decision) const
 {
   switch (decision.Ring)
   {
@@ -155,17 +154,17 @@ bool StrataBuilder<Id>::IsInEdgeRing(Id face, const Decision& decision) const
     case RingKind::InDimensions:
       return this->Around.FaceDimension(face) & decision.Dimensions;
     case RingKind::BoundaryOfSolid:
-      return this->Complex.FaceTets[face].size() == 1;
+      return this->CountSolids(face) == 1;
     case RingKind::Part:
-      return this->Complex.FaceTets[face].size() == 0 && this->PartOfFace(face) == decision.Part;
+      return this->CountSolids(face) == 0 && this->PartOfFace(face) == decision.Part;
     default:
       return false;
   }
 }
 
 /// The part with the smallest id that has exactly two of the triangles at an edge, or -1.
-template <typename Id>
-int StrataBuilder<Id>::FindPartAtEdge(Id edge) const
+template <typename Id, typename AnyComplex>
+int StrataDecisions<Id, AnyComplex>::FindPartAtEdge(Id edge) const
 {
   int best = std::numeric_limits<int>::max();
   for (Id face : this->Around.EdgeFaces[edge])
@@ -178,13 +177,15 @@ int StrataBuilder<Id>::FindPartAtEdge(Id edge) const
     int count = 0;
     for (Id other : this->Around.EdgeFaces[edge])
     {
-      count += this->Complex.FaceTets[other].size() == 0 && this->PartOfFace(other) == part ? 1 : 0;
+      count += this->CountSolids(other) == 0 && this->PartOfFace(other) == part ? 1 : 0;
     }
     best = count == 2 ? part : best;
   }
   return best == std::numeric_limits<int>::max() ? -1 : best;
 }
 
-SUBDIVISION_COMPILE(class StrataBuilder);
+SUBDIVISION_COMPILE(class StrataDecisions);
+template class StrataDecisions<int, CellComplex<int>>;
+template class StrataDecisions<long long, CellComplex<long long>>;
 
 }

@@ -14,52 +14,34 @@ namespace
 /// An angle that is pi up to this, relative, counts as convex.
 constexpr double AngleTie = 1e-9;
 
-bool IsOnCurve(Stratum vertex)
+bool IsOnCurve(const Decision& vertex)
 {
-  return vertex.GetRule() == Rule::Curve || vertex.GetRule() == Rule::Corner;
+  const Rule rule = vertex.Result.GetRule();
+  return rule == Rule::Curve || rule == Rule::Corner;
 }
 
-/// Goes around a vertex from an edge that bounds a surface there, across a face and edges inside
-/// the surface, to the next edge that bounds it. Returns whether it passes some edges; `walk` gets
-/// all of them.
-template <typename Id>
-bool WalkSector(const SimplicialComplex<Id>& complex, const Strata<Id>& strata, Id vertex, Id edge,
-  Id face, std::vector<Id>& walk)
+/// The shift of a sector in which each face has the angle `t`.
+double GetShift(bool ofQuads, double t)
 {
-  walk.assign(1, edge);
-  for (;;)
-  {
-    const Id next = complex.OtherEdge(face, walk.back(), vertex);
-    walk.push_back(next);
-    if (strata.Edges[next].GetRule() != Rule::Surface)
-    {
-      return walk.size() > 2 && next != edge;
-    }
-    const Row<Id> faces = strata.EdgeRings.GetCarriers(next); // two, as at all edges of surfaces
-    if (faces.begin()[0] != face && faces.begin()[1] != face)
-    {
-      return false; // of another surface
-    }
-    face = faces.begin()[faces.begin()[0] == face ? 1 : 0];
-  }
+  return ofQuads ? std::cos(t) / 4. : PlainEndWeight - GetFarEndWeight(t);
 }
 
-/// Appends the inner edges of a sector of triangles of the angle `t` at a vertex.
-template <typename Id>
-void AppendSector(const SimplicialComplex<Id>& complex, const Strata<Id>& strata, Id vertex,
-  const std::vector<Id>& walk, double t, std::vector<SectorEdge<Id>>& sectors)
+/// Appends the inner edges of a sector of faces of the angle `t` at a vertex.
+template <typename Id, typename AnyComplex>
+void AppendSector(const AnyComplex& complex, const Buffer<Decision>& vertices, Id vertex,
+  const std::vector<Id>& walk, bool ofQuads, double t, std::vector<SectorEdge<Id>>& sectors)
 {
   const auto size = static_cast<int>(walk.size()) - 1;
   const double angle = t * size;
-  const bool isConcave = strata.Vertices[vertex].GetRule() == Rule::Corner && angle > Pi;
+  const bool isConcave = vertices[vertex].Result.GetRule() == Rule::Corner && angle > Pi;
   for (int j = 1; j < size; ++j)
   {
     const Id other = complex.GetOtherEnd(walk[j], vertex);
     SectorEdge<Id> sector;
     sector.Edge = walk[j];
     sector.End = complex.EdgeVertices[2 * vtkIdType(walk[j])] == vertex ? 0 : 1;
-    sector.IsShared = IsOnCurve(strata.Vertices[other]);
-    sector.Shift = PlainEndWeight - GetFarEndWeight(t);
+    sector.IsShared = IsOnCurve(vertices[other]);
+    sector.Shift = GetShift(ofQuads, t);
     if (isConcave)
     {
       const FlatWeights weights = GetFlatWeights(angle, std::cos(j * t), std::sin(j * t));
@@ -78,47 +60,84 @@ void AppendSector(const SimplicialComplex<Id>& complex, const Strata<Id>& strata
 
 }
 
-/// Appends the edges of all sectors at a vertex.
-template <typename Id>
-void StrataBuilder<Id>::AppendSectors(
-  Id vertex, const Strata<Id>& strata, std::vector<SectorEdge<Id>>& sectors) const
+/// Goes around a vertex from an edge that bounds a surface there, across a face and edges inside
+/// the surface, to the next edge that bounds it. Returns whether it passes some edges; `walk` gets
+/// all of them. `quads` gets the number of quads among the faces.
+template <typename Id, typename AnyComplex>
+bool StrataDecisions<Id, AnyComplex>::WalkSector(const Buffer<Decision>& edges, Id vertex, Id edge,
+  Id face, std::vector<Id>& walk, std::size_t& quads) const
 {
-  const bool isCorner = strata.Vertices[vertex].GetRule() == Rule::Corner;
+  walk.assign(1, edge);
+  quads = 0;
+  for (;;)
+  {
+    const Id before = walk.back();
+    quads += GetOppositeVertex(this->Complex, face, before) < 0 ? 1 : 0;
+    const Id next =
+      GetOtherEdge(this->Complex, face, before, vertex, this->Complex.GetOtherEnd(before, vertex));
+    walk.push_back(next);
+    if (edges[next].Result.GetRule() != Rule::Surface)
+    {
+      return walk.size() > 2 && next != edge;
+    }
+    if (!this->IsInEdgeRing(face, edges[next]))
+    {
+      return false; // of another surface
+    }
+    const Row<Id> faces = this->Around.EdgeFaces[next];
+    face = *std::find_if(faces.begin(), faces.end(),
+      [&](Id other) { return other != face && this->IsInEdgeRing(other, edges[next]); });
+  }
+}
+
+/// Appends the edges of all sectors at a vertex.
+template <typename Id, typename AnyComplex>
+void StrataDecisions<Id, AnyComplex>::AppendSectors(Id vertex, const Buffer<Decision>& edges,
+  const Buffer<Decision>& vertices, std::vector<SectorEdge<Id>>& sectors) const
+{
+  const bool isCorner = vertices[vertex].Result.GetRule() == Rule::Corner;
   const double given =
     isCorner && !this->Options.CornerAngles.empty() ? this->Options.CornerAngles[vertex] : -1.;
-  if (!IsOnCurve(strata.Vertices[vertex]) || (isCorner && !(given >= 0.)))
+  if (!IsOnCurve(vertices[vertex]) || (isCorner && !(given >= 0.)))
   {
     return;
   }
   std::vector<Id> walk;
+  std::size_t quads = 0;
   for (Id edge : this->Around.VertexEdges[vertex])
   {
-    const bool bounds = strata.Edges[edge].GetRule() != Rule::Surface;
+    const bool bounds = edges[edge].Result.GetRule() != Rule::Surface;
     for (Id face : bounds ? this->Around.EdgeFaces[edge] : Row<Id>())
     {
       // Each sector is found from both of its ends. The smaller id decides, which is the same in
       // all partitions of a mesh.
-      if (!WalkSector(this->Complex, strata, vertex, edge, face, walk) ||
+      if (!this->WalkSector(edges, vertex, edge, face, walk, quads) ||
         this->Complex.GetOtherEnd(walk.back(), vertex) < this->Complex.GetOtherEnd(edge, vertex))
       {
         continue;
       }
       const auto size = static_cast<int>(walk.size()) - 1;
+      const bool ofQuads = quads > 0;
+      if (ofQuads && quads + 1 < walk.size())
+      {
+        continue; // of both: the plain rule
+      }
       if (isCorner)
       {
         const double t = ClampCornerAngle(given, AngleTie) / size;
-        AppendSector(this->Complex, strata, vertex, walk, t, sectors);
+        AppendSector(this->Complex, vertices, vertex, walk, ofQuads, t, sectors);
       }
-      else if (size != 3) // where it is the plain rule, bit for bit
+      else if (size != (ofQuads ? 2 : 3)) // where it is the plain rule, bit for bit
       {
-        AppendSector(this->Complex, strata, vertex, walk, Pi / size, sectors);
+        AppendSector(this->Complex, vertices, vertex, walk, ofQuads, Pi / size, sectors);
       }
     }
   }
 }
 
-template <typename Id>
-std::vector<SectorEdge<Id>> StrataBuilder<Id>::CollectSectors(const Strata<Id>& strata) const
+template <typename Id, typename AnyComplex>
+std::vector<SectorEdge<Id>> StrataDecisions<Id, AnyComplex>::CollectSectors(
+  const Buffer<Decision>& edges, const Buffer<Decision>& vertices) const
 {
   constexpr vtkIdType block = 4096;
   const vtkIdType size = this->Complex.NumberOfVertices;
@@ -130,7 +149,8 @@ std::vector<SectorEdge<Id>> StrataBuilder<Id>::CollectSectors(const Strata<Id>& 
     {
       for (vtkIdType v = b * block; v < std::min(size, (b + 1) * block); ++v)
       {
-        this->AppendSectors(static_cast<Id>(v), strata, parts[static_cast<std::size_t>(b)]);
+        this->AppendSectors(
+          static_cast<Id>(v), edges, vertices, parts[static_cast<std::size_t>(b)]);
       }
     }
   };
@@ -145,6 +165,8 @@ std::vector<SectorEdge<Id>> StrataBuilder<Id>::CollectSectors(const Strata<Id>& 
   return sectors;
 }
 
-SUBDIVISION_COMPILE(class StrataBuilder);
+SUBDIVISION_COMPILE(class StrataDecisions);
+template class StrataDecisions<int, CellComplex<int>>;
+template class StrataDecisions<long long, CellComplex<long long>>;
 
 }

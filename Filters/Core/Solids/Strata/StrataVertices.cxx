@@ -17,8 +17,8 @@ Decision DecideCurves(std::size_t edges, RingKind ring, int type)
 
 }
 
-template <typename Id>
-Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideVertex(Id vertex) const
 {
   if (this->Complex.HasEdgesAlone() && this->Around.VertexEdges[vertex].size() == 2 &&
     !this->HasSingular())
@@ -56,8 +56,9 @@ Decision StrataBuilder<Id>::DecideVertex(Id vertex) const
 
 /// Items 1 to 3 of the list for vertices in Mathematics 4: singular vertices, creases, singular
 /// triangles. Returns false if none of them applies.
-template <typename Id>
-bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& decision) const
+template <typename Id, typename AnyComplex>
+bool StrataDecisions<Id, AnyComplex>::DecideSingularVertex(
+  Id vertex, int type, Decision& decision) const
 {
   if (!this->HasSingular())
   {
@@ -92,8 +93,8 @@ bool StrataBuilder<Id>::DecideSingularVertex(Id vertex, int type, Decision& deci
   return false;
 }
 
-template <typename Id>
-bool StrataBuilder<Id>::LiesOnBoundaryCurve(Id vertex) const
+template <typename Id, typename AnyComplex>
+bool StrataDecisions<Id, AnyComplex>::LiesOnBoundaryCurve(Id vertex) const
 {
   for (Id edge : this->Around.VertexEdges[vertex])
   {
@@ -105,8 +106,8 @@ bool StrataBuilder<Id>::LiesOnBoundaryCurve(Id vertex) const
   return this->Around.PlaceVertex(vertex, 1) == Place::Boundary;
 }
 
-template <typename Id>
-Decision StrataBuilder<Id>::DecideJointVertex(
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideJointVertex(
   Id vertex, int type, unsigned char dimensions, JointRule rule) const
 {
   switch (rule)
@@ -148,8 +149,9 @@ Decision StrataBuilder<Id>::DecideJointVertex(
   return DecideIn(Rule::Blend, type, AllDimensions);
 }
 
-template <typename Id>
-Decision StrataBuilder<Id>::DecideVertexIn(Id vertex, int k, Place place, int type) const
+template <typename Id, typename AnyComplex>
+Decision StrataDecisions<Id, AnyComplex>::DecideVertexIn(
+  Id vertex, int k, Place place, int type) const
 {
   if (place == Place::Interior)
   {
@@ -173,8 +175,8 @@ Decision StrataBuilder<Id>::DecideVertexIn(Id vertex, int k, Place place, int ty
   return decision;
 }
 
-template <typename Id>
-bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
+template <typename Id, typename AnyComplex>
+bool StrataDecisions<Id, AnyComplex>::IsInVertexRing(Id edge, const Decision& decision) const
 {
   switch (decision.Ring)
   {
@@ -197,12 +199,8 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
         return this->Around.EdgeFaces[edge].size() == 0 && this->PartOfEdge(edge) == decision.Part;
       }
       const Row<Id> faces = this->Around.EdgeFaces[edge];
-      return std::any_of(faces.begin(), faces.end(),
-        [&](Id face)
-        {
-          return this->Complex.FaceTets[face].size() == 0 &&
-            this->PartOfFace(face) == decision.Part;
-        });
+      return std::any_of(faces.begin(), faces.end(), [&](Id face)
+        { return this->CountSolids(face) == 0 && this->PartOfFace(face) == decision.Part; });
     }
     default:
       return false;
@@ -211,8 +209,8 @@ bool StrataBuilder<Id>::IsInVertexRing(Id edge, const Decision& decision) const
 
 /// The part with the smallest id that is a manifold inside C_k (k = 1 or 2) at a vertex: it has
 /// exactly two lines there, or its triangles form one closed fan. Returns -1 if there is none.
-template <typename Id>
-int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
+template <typename Id, typename AnyComplex>
+int StrataDecisions<Id, AnyComplex>::FindPartAtVertex(Id vertex, int k) const
 {
   std::vector<int> parts;
   for (Id edge : this->Around.VertexEdges[vertex])
@@ -223,7 +221,7 @@ int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
     }
     for (Id face : this->Around.EdgeFaces[edge])
     {
-      if (k == 2 && this->Complex.FaceTets[face].size() == 0)
+      if (k == 2 && this->CountSolids(face) == 0)
       {
         parts.push_back(this->PartOfFace(face));
       }
@@ -235,12 +233,8 @@ int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
     const auto next = std::upper_bound(part, parts.end(), *part);
     const bool goesOn = *part >= 0 &&
       (k == 1 ? next - part == 2
-              : this->Around.IsClosedFan(vertex,
-                  [&](Id face)
-                  {
-                    return this->Complex.FaceTets[face].size() == 0 &&
-                      this->PartOfFace(face) == *part;
-                  }));
+              : this->Around.IsClosedFan(vertex, [&](Id face)
+                  { return this->CountSolids(face) == 0 && this->PartOfFace(face) == *part; }));
     if (goesOn)
     {
       return *part;
@@ -250,6 +244,8 @@ int StrataBuilder<Id>::FindPartAtVertex(Id vertex, int k) const
   return -1;
 }
 
-SUBDIVISION_COMPILE(class StrataBuilder);
+SUBDIVISION_COMPILE(class StrataDecisions);
+template class StrataDecisions<int, CellComplex<int>>;
+template class StrataDecisions<long long, CellComplex<long long>>;
 
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Solids/TetOct/TetOctCells.h"
 
-#include "Core/Memory/Coordinates.h"
 #include "Core/Solids/TetOct/TetOctDescendants.h"
 
 #include <atomic>
@@ -10,30 +9,6 @@ namespace subdivision
 {
 namespace
 {
-
-/// The pair with the shortest diagonal of a sorted octahedron; where pairs tie, the first one.
-template <typename Id, typename T>
-int FindShortestDiagonal(const Id vertices[6], const T* points)
-{
-  constexpr double tolerance = sizeof(T) < sizeof(double) ? SingleTie : DoubleTie;
-  double lengths[3];
-  for (int pair = 0; pair < 3; ++pair)
-  {
-    const T* p = points + 3 * vtkIdType(vertices[2 * pair]);
-    const T* q = points + 3 * vtkIdType(vertices[2 * pair + 1]);
-    lengths[pair] = 0.;
-    for (int c = 0; c < 3; ++c)
-    {
-      const double difference = static_cast<double>(p[c]) - static_cast<double>(q[c]);
-      lengths[pair] += difference * difference;
-    }
-  }
-  const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tolerance);
-  // Without branches, which the processor would mispredict.
-  int shortest = lengths[2] <= limit ? 2 : 0;
-  shortest = lengths[1] <= limit ? 1 : shortest;
-  return lengths[0] <= limit ? 0 : shortest;
-}
 
 /// The children of a cell with these lattice points; returns where the next goes.
 template <typename Shape, typename Id, typename Out, typename T>

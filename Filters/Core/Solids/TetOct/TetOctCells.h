@@ -14,6 +14,7 @@
 #ifndef SubdivisionObjects_TetOctCells_h
 #define SubdivisionObjects_TetOctCells_h
 
+#include "Core/Memory/Coordinates.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 #include "Core/Solids/TetOct/TetOctComplex.h"
 
@@ -51,6 +52,31 @@ void SortOctahedron(Id vertices[6])
   order(2, 4, 2);
   order(0, 2, 2);
   swap(4, 5, odd);
+}
+
+/// The pair with the shortest diagonal of a sorted octahedron. Where pairs tie, which is up to a
+/// relative difference of `tie`, it is the first one.
+template <typename Id, typename T>
+int FindShortestDiagonal(const Id vertices[6], const T* points,
+  double tie = sizeof(T) < sizeof(double) ? SingleTie : DoubleTie)
+{
+  double lengths[3];
+  for (int pair = 0; pair < 3; ++pair)
+  {
+    const T* p = points + 3 * vtkIdType(vertices[2 * pair]);
+    const T* q = points + 3 * vtkIdType(vertices[2 * pair + 1]);
+    lengths[pair] = 0.;
+    for (int c = 0; c < 3; ++c)
+    {
+      const double difference = static_cast<double>(p[c]) - static_cast<double>(q[c]);
+      lengths[pair] += difference * difference;
+    }
+  }
+  const double limit = std::min({ lengths[0], lengths[1], lengths[2] }) * (1. + tie);
+  // Without branches, which the processor would mispredict.
+  int shortest = lengths[2] <= limit ? 2 : 0;
+  shortest = lengths[1] <= limit ? 1 : shortest;
+  return lengths[0] <= limit ? 0 : shortest;
 }
 
 /// The four tetrahedra around the diagonal of pair 0, 1 or 2.

@@ -97,6 +97,26 @@ inline double CornerRing(int k, double angle, int i, int j)
 inline constexpr std::array<double, 8> ButterflyEdge{ 1. / 2., 1. / 2., 1. / 8., -1. / 16.,
   -1. / 16., 1. / 8., -1. / 16., -1. / 16. };
 
+/// The weights of a tangent of a vertex of six faces whose neighbours have six, too: of these, of
+/// the vertices across from it, and of the neighbours of its neighbours straight on. As they are a
+/// left eigenvector, they are half of those on the next level (ButterflyTangents.h).
+inline const std::array<std::array<double, 18>, 2> ButterflyTangentsInside = []()
+{
+  std::array<std::array<double, 18>, 2> masks;
+  for (int kind = 0; kind < 2; ++kind)
+  {
+    const auto wave = [kind](int j)
+    { return kind == 0 ? std::cos(Pi * j / 3.) : std::sin(Pi * j / 3.); };
+    for (int j = 0; j < 6; ++j)
+    {
+      masks[kind][j] = 8. * wave(j);
+      masks[kind][6 + j] = -4. / 3. * (wave(j) + wave(j + 1));
+      masks[kind][12 + j] = wave(j) / 2.;
+    }
+  }
+  return masks;
+}();
+
 /// Appends the entries of an edge from an end with another number of faces all around, of which
 /// `corner` is the end's in the first face of the edge.
 template <typename Id>

@@ -4,12 +4,12 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Butterfly/ButterflyMasks.h"
 #include "Core/Surfaces/Butterfly/ButterflyTangents.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/PrimalRefinement.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <algorithm>
-#include <array>
 
 namespace subdivision
 {
@@ -28,61 +28,6 @@ struct EdgeEnd
   /// Otherwise -1.
   int CurveSide = -1;
 };
-
-template <typename Id>
-class ButterflyScheme : public PrimalScheme<Id, 3>
-{
-public:
-  bool HasCornersOfOneFace() const override { return true; }
-  DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
-  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 90., 120., 26. }; }
-  /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
-  /// faces, otherwise 0.
-  void Prepare(SurfaceLevel<Id>& level) const override;
-  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-    vtkIdType end, RowBlock<Id>& rows) const override;
-
-  bool HasLimitsOfNext(const SurfaceLevel<Id>& /*level*/, bool tangents) const override
-  {
-    return !tangents;
-  }
-  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
-};
-
-template <typename Id>
-void ButterflyScheme<Id>::Prepare(SurfaceLevel<Id>& level) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  level.Places = Buffer<Id>(mesh.NumberOfVertices);
-  const auto count = [&mesh, &level](Id corner)
-  {
-    Id faces = 0;
-    FanStep<Id> step{ corner, true };
-    do
-    {
-      ++faces;
-      const Id edge = mesh.Edges[step.GetHalfEdgeIn(mesh)];
-      if (level.Tags.Edges[edge] != EdgeTag::Smooth || !step.Advance(mesh))
-      {
-        return Id(0);
-      }
-    } while (step.Corner != corner);
-    return faces;
-  };
-  const vtkIdType firstNew =
-    level.VerticesBefore < 0 ? mesh.NumberOfVertices : level.VerticesBefore;
-  // The point of an edge has only smooth edges around it if its edge is, of which both halves have
-  // the tag.
-  const auto isInside = [&](vtkIdType vertex)
-  { return vertex >= firstNew && level.Tags.Edges[2 * (vertex - firstNew)] == EdgeTag::Smooth; };
-  ForEach(mesh.NumberOfVertices,
-    [&](vtkIdType v)
-    {
-      const Id corner = mesh.VertexCorners[v];
-      level.Places[v] = corner < 0 ? 0 : isInside(v) ? 6 : count(corner);
-    });
-}
 
 /// Makes the row of one edge at a time.
 template <typename Id>
@@ -115,36 +60,6 @@ public:
       *next++ = this->GetOpposite(side);
       *next++ = this->GetWing(side, columns[0]);
       *next++ = this->GetWing(side, columns[1]);
-    }
-    return true;
-  }
-
-  /// The same for the three edges inside a triangle of the level before, across each of its corners
-  /// x: the children of triangle f are 4 f + i at x_i, whose corner i it is, and 4 f + 3, whose
-  /// corners p_i are the points of the edges from x_i on.
-  bool FindInside(Id face, Id columns[24]) const
-  {
-    const Id first = 12 * face;
-    const Id* x = this->Mesh.Vertices.data() + first;
-    const Id* p = x + 9;
-    if (this->HasOtherTags || !this->IsInside(p[0]) || !this->IsInside(p[1]) ||
-      !this->IsInside(p[2]))
-    {
-      return false;
-    }
-    constexpr Id before[3] = { 2, 3, 7 }; // the half-edges that end at x_i
-    for (int i = 0; i < 3; ++i)
-    {
-      const int next = (i + 1) % 3;
-      const int last = (i + 2) % 3;
-      *columns++ = p[i];
-      *columns++ = p[last];
-      *columns++ = x[4 * i];
-      *columns++ = this->GetBeyond(first + 4 * i);
-      *columns++ = this->GetBeyond(first + before[i]);
-      *columns++ = p[next];
-      *columns++ = x[4 * next];
-      *columns++ = x[4 * last];
     }
     return true;
   }
@@ -184,7 +99,29 @@ private:
   {
     return this->Tags.Vertices[vertex] == VertexTag::Smooth && this->Valences[vertex] == 6;
   }
-  EdgeEnd<Id> FindEnd(Id edge, int which);
+  EdgeEnd<Id> FindEnd(Id edge, int which)
+  {
+    EdgeEnd<Id> end;
+    end.Vertex = this->Mesh.EdgeVertices[2 * edge + which];
+    end.Corner = GetCornerAt(this->Mesh, this->HalfEdges[0], end.Vertex);
+    const VertexTag tag = this->Tags.Vertices[end.Vertex];
+    if (tag != VertexTag::Smooth)
+    {
+      end.Sector = FindSectorEnds(this->Mesh, this->Tags, end.Corner);
+    }
+    if (end.Sector.Size == 0)
+    {
+      end.IsRegular = this->Valences[end.Vertex] == 6 && !this->HasOtherSharpEdges(end.Vertex);
+    }
+    else if (tag == VertexTag::Curve && end.Sector.Size == 3)
+    {
+      end.IsRegular = true;
+      const Id first = this->Mesh.Edges[this->GetSide(0, end.Vertex)];
+      end.CurveSide = this->Tags.Edges[first] == EdgeTag::Smooth;
+    }
+    return end;
+  }
+
   bool HasOtherSharpEdges(Id vertex)
   {
     if (!this->HasOtherTags)
@@ -194,10 +131,131 @@ private:
     CollectSharpEdges(this->Mesh, this->Tags, vertex, this->Around);
     return !this->Around.empty();
   }
-  void AppendCurve(Id edge, double factor);
-  void AppendRegular(const EdgeEnd<Id>* ends);
-  void AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor);
-  void AppendSector(Id edge, const EdgeEnd<Id>& end, double factor);
+  /// Appends the four-point rule along the curve of an edge vw. Where the curve ends at v, the
+  /// missing point is 2v - w.
+  void AppendCurve(Id edge, double factor)
+  {
+    double weights[2] = { 9. / 16., 9. / 16. };
+    for (int i = 0; i < 2; ++i)
+    {
+      const Id vertex = this->Mesh.EdgeVertices[2 * edge + i];
+      this->Around.clear();
+      if (this->Tags.Vertices[vertex] == VertexTag::Curve)
+      {
+        CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Around);
+      }
+      if (this->Around.size() == 2 && (this->Around[0] == edge || this->Around[1] == edge))
+      {
+        const Id beyond = this->Around[this->Around[0] == edge ? 1 : 0];
+        this->Rows.Add(this->Mesh.GetOtherEnd(beyond, vertex), -factor / 16.);
+      }
+      else
+      {
+        weights[i] -= 2. / 16.;
+        weights[1 - i] += 1. / 16.;
+      }
+    }
+    this->Rows.Add(this->Mesh.EdgeVertices[2 * edge], factor * weights[0]);
+    this->Rows.Add(this->Mesh.EdgeVertices[2 * edge + 1], factor * weights[1]);
+  }
+  /// Both ends are regular.
+  void AppendRegular(const EdgeEnd<Id>* ends)
+  {
+    const Id a = ends[0].Vertex;
+    const Id b = ends[1].Vertex;
+    const int sides[2] = { ends[0].CurveSide, ends[1].CurveSide };
+    if (sides[0] < 0 && sides[1] < 0)
+    {
+      this->Rows.Add(a, 1. / 2.);
+      this->Rows.Add(b, 1. / 2.);
+      for (int side = 0; side < 2; ++side)
+      {
+        this->Rows.Add(this->GetOpposite(side), 1. / 8.);
+        this->AddWing(side, a, -1. / 16.);
+        this->AddWing(side, b, -1. / 16.);
+      }
+      return;
+    }
+    if (sides[0] < 0 || sides[1] < 0)
+    {
+      const Id inside = sides[0] < 0 ? a : b;
+      const Id onCurve = sides[0] < 0 ? b : a;
+      const int side = std::max(sides[0], sides[1]);
+      this->Rows.Add(inside, 5. / 8.);
+      this->Rows.Add(onCurve, 3. / 8.);
+      this->Rows.Add(this->GetOpposite(1 - side), 3. / 16.);
+      this->Rows.Add(this->GetOpposite(side), 1. / 16.);
+      this->AddWing(1 - side, inside, -1. / 8.);
+      this->AddWing(1 - side, onCurve, -1. / 16.);
+      this->AddWing(side, inside, -1. / 16.);
+      return;
+    }
+    this->Rows.Add(a, 1. / 2.);
+    this->Rows.Add(b, 1. / 2.);
+    if (sides[0] == sides[1])
+    {
+      const int side = 1 - sides[0];
+      this->Rows.Add(this->GetOpposite(side), 1. / 4.);
+      this->AddWing(side, a, -1. / 8.);
+      this->AddWing(side, b, -1. / 8.);
+      return;
+    }
+    // The missing wings complete parallelograms.
+    this->Rows.Add(this->GetOpposite(0), 1. / 16.);
+    this->Rows.Add(this->GetOpposite(1), 1. / 16.);
+    this->AddWing(sides[1], a, -1. / 16.);
+    this->AddWing(sides[0], b, -1. / 16.);
+  }
+  void AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor)
+  {
+    if (end.Sector.Size > 0)
+    {
+      this->AppendSector(edge, end, factor);
+      return;
+    }
+    AppendButterflyRing(this->Mesh, edge, end.Vertex, end.Corner, factor, this->Rows);
+  }
+  void AppendSector(Id edge, const EdgeEnd<Id>& end, double factor)
+  {
+    const int k = end.Sector.Size;
+    this->Around.clear(); // edges
+    FanStep<Id> step = end.Sector.First;
+    for (int j = 0; j < k; ++j)
+    {
+      this->Around.push_back(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)]);
+      step.Advance(this->Mesh);
+    }
+    this->Around.push_back(this->Mesh.Edges[end.Sector.Last.GetHalfEdgeOut(this->Mesh)]);
+    const int i = static_cast<int>(
+      std::find(this->Around.begin(), this->Around.end(), edge) - this->Around.begin());
+    const Sector<Id>* corner = this->Tags.Vertices[end.Vertex] == VertexTag::Corner
+      ? FindSector(this->Tags, end.Vertex, end.Sector)
+      : nullptr;
+    const double flatness = corner ? corner->Flatness : 0.;
+    const double kept = factor * (1. - flatness);
+    double own = corner ? kept : kept * butterfly::CurveCentre(k, i);
+    for (int j = 0; j <= k; ++j)
+    {
+      const double weight = kept *
+        (corner ? butterfly::CornerRing(k, corner->Angle, i, j) : butterfly::CurveRing(k, i, j));
+      own -= corner ? weight : 0.;
+      this->Rows.Add(this->Mesh.GetOtherEnd(this->Around[j], end.Vertex), weight);
+    }
+    if (flatness > 0.)
+    {
+      // Move towards the plane of the new points on the two sharp edges.
+      const Id curves[2] = { this->Around.front(), this->Around.back() };
+      own += factor * flatness;
+      for (int last = 0; last < 2; ++last)
+      {
+        const double weight =
+          factor * flatness * butterfly::LinearInSector(k, corner->Angle, i, last == 1);
+        own -= weight;
+        this->AppendCurve(curves[last], weight);
+      }
+    }
+    this->Rows.Add(end.Vertex, own);
+  }
 
   Id GetOpposite(int side) const
   {
@@ -231,214 +289,107 @@ private:
 };
 
 template <typename Id>
-EdgeEnd<Id> EdgeRows<Id>::FindEnd(Id edge, int which)
+class ButterflyScheme : public PrimalScheme<Id, 3>
 {
-  EdgeEnd<Id> end;
-  end.Vertex = this->Mesh.EdgeVertices[2 * edge + which];
-  end.Corner = GetCornerAt(this->Mesh, this->HalfEdges[0], end.Vertex);
-  const VertexTag tag = this->Tags.Vertices[end.Vertex];
-  if (tag != VertexTag::Smooth)
+public:
+  bool HasCornersOfOneFace() const override { return true; }
+  DenseRows GetDenseRows() const override { return DenseRows::OfVertices; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 9., 26., 90., 120., 26. }; }
+  /// Sets Places: for each vertex with one closed fan and smooth edges only the number of its
+  /// faces, otherwise 0.
+  void Prepare(SurfaceLevel<Id>& level) const override
   {
-    end.Sector = FindSectorEnds(this->Mesh, this->Tags, end.Corner);
-  }
-  if (end.Sector.Size == 0)
-  {
-    end.IsRegular = this->Valences[end.Vertex] == 6 && !this->HasOtherSharpEdges(end.Vertex);
-  }
-  else if (tag == VertexTag::Curve && end.Sector.Size == 3)
-  {
-    end.IsRegular = true;
-    const Id first = this->Mesh.Edges[this->GetSide(0, end.Vertex)];
-    end.CurveSide = this->Tags.Edges[first] == EdgeTag::Smooth;
-  }
-  return end;
-}
-
-/// Appends the four-point rule along the curve of an edge vw. Where the curve ends at v, the
-/// missing point is 2v - w.
-template <typename Id>
-void EdgeRows<Id>::AppendCurve(Id edge, double factor)
-{
-  double weights[2] = { 9. / 16., 9. / 16. };
-  for (int i = 0; i < 2; ++i)
-  {
-    const Id vertex = this->Mesh.EdgeVertices[2 * edge + i];
-    this->Around.clear();
-    if (this->Tags.Vertices[vertex] == VertexTag::Curve)
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    level.Places = Buffer<Id>(mesh.NumberOfVertices);
+    const auto count = [&mesh, &level](Id corner)
     {
-      CollectCurveEdges(this->Mesh, this->Tags, vertex, this->Around);
-    }
-    if (this->Around.size() == 2 && (this->Around[0] == edge || this->Around[1] == edge))
-    {
-      const Id beyond = this->Around[this->Around[0] == edge ? 1 : 0];
-      this->Rows.Add(this->Mesh.GetOtherEnd(beyond, vertex), -factor / 16.);
-    }
-    else
-    {
-      weights[i] -= 2. / 16.;
-      weights[1 - i] += 1. / 16.;
-    }
-  }
-  this->Rows.Add(this->Mesh.EdgeVertices[2 * edge], factor * weights[0]);
-  this->Rows.Add(this->Mesh.EdgeVertices[2 * edge + 1], factor * weights[1]);
-}
-
-/// Both ends are regular.
-template <typename Id>
-void EdgeRows<Id>::AppendRegular(const EdgeEnd<Id>* ends)
-{
-  const Id a = ends[0].Vertex;
-  const Id b = ends[1].Vertex;
-  const int sides[2] = { ends[0].CurveSide, ends[1].CurveSide };
-  if (sides[0] < 0 && sides[1] < 0)
-  {
-    this->Rows.Add(a, 1. / 2.);
-    this->Rows.Add(b, 1. / 2.);
-    for (int side = 0; side < 2; ++side)
-    {
-      this->Rows.Add(this->GetOpposite(side), 1. / 8.);
-      this->AddWing(side, a, -1. / 16.);
-      this->AddWing(side, b, -1. / 16.);
-    }
-    return;
-  }
-  if (sides[0] < 0 || sides[1] < 0)
-  {
-    const Id inside = sides[0] < 0 ? a : b;
-    const Id onCurve = sides[0] < 0 ? b : a;
-    const int side = std::max(sides[0], sides[1]);
-    this->Rows.Add(inside, 5. / 8.);
-    this->Rows.Add(onCurve, 3. / 8.);
-    this->Rows.Add(this->GetOpposite(1 - side), 3. / 16.);
-    this->Rows.Add(this->GetOpposite(side), 1. / 16.);
-    this->AddWing(1 - side, inside, -1. / 8.);
-    this->AddWing(1 - side, onCurve, -1. / 16.);
-    this->AddWing(side, inside, -1. / 16.);
-    return;
-  }
-  this->Rows.Add(a, 1. / 2.);
-  this->Rows.Add(b, 1. / 2.);
-  if (sides[0] == sides[1])
-  {
-    const int side = 1 - sides[0];
-    this->Rows.Add(this->GetOpposite(side), 1. / 4.);
-    this->AddWing(side, a, -1. / 8.);
-    this->AddWing(side, b, -1. / 8.);
-    return;
-  }
-  // The missing wings complete parallelograms.
-  this->Rows.Add(this->GetOpposite(0), 1. / 16.);
-  this->Rows.Add(this->GetOpposite(1), 1. / 16.);
-  this->AddWing(sides[1], a, -1. / 16.);
-  this->AddWing(sides[0], b, -1. / 16.);
-}
-
-template <typename Id>
-void EdgeRows<Id>::AppendExtraordinary(Id edge, const EdgeEnd<Id>& end, double factor)
-{
-  if (end.Sector.Size > 0)
-  {
-    this->AppendSector(edge, end, factor);
-    return;
-  }
-  AppendButterflyRing(this->Mesh, edge, end.Vertex, end.Corner, factor, this->Rows);
-}
-
-template <typename Id>
-void EdgeRows<Id>::AppendSector(Id edge, const EdgeEnd<Id>& end, double factor)
-{
-  const int k = end.Sector.Size;
-  this->Around.clear(); // edges
-  FanStep<Id> step = end.Sector.First;
-  for (int j = 0; j < k; ++j)
-  {
-    this->Around.push_back(this->Mesh.Edges[step.GetHalfEdgeIn(this->Mesh)]);
-    step.Advance(this->Mesh);
-  }
-  this->Around.push_back(this->Mesh.Edges[end.Sector.Last.GetHalfEdgeOut(this->Mesh)]);
-  const int i = static_cast<int>(
-    std::find(this->Around.begin(), this->Around.end(), edge) - this->Around.begin());
-  const Sector<Id>* corner = this->Tags.Vertices[end.Vertex] == VertexTag::Corner
-    ? FindSector(this->Tags, end.Vertex, end.Sector)
-    : nullptr;
-  const double flatness = corner ? corner->Flatness : 0.;
-  const double kept = factor * (1. - flatness);
-  double own = corner ? kept : kept * butterfly::CurveCentre(k, i);
-  for (int j = 0; j <= k; ++j)
-  {
-    const double weight = kept *
-      (corner ? butterfly::CornerRing(k, corner->Angle, i, j) : butterfly::CurveRing(k, i, j));
-    own -= corner ? weight : 0.;
-    this->Rows.Add(this->Mesh.GetOtherEnd(this->Around[j], end.Vertex), weight);
-  }
-  if (flatness > 0.)
-  {
-    // Move towards the plane of the new points on the two sharp edges.
-    const Id curves[2] = { this->Around.front(), this->Around.back() };
-    own += factor * flatness;
-    for (int last = 0; last < 2; ++last)
-    {
-      const double weight =
-        factor * flatness * butterfly::LinearInSector(k, corner->Angle, i, last == 1);
-      own -= weight;
-      this->AppendCurve(curves[last], weight);
-    }
-  }
-  this->Rows.Add(end.Vertex, own);
-}
-
-template <typename Id>
-void ButterflyScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  EdgeRows<Id> edges(level, tags, rows);
-  // Edges inside the triangles of the level before come last.
-  const vtkIdType inside = level.VerticesBefore < 0 ? 0 : mesh.NumberOfFaces / 4 * 3;
-  const vtkIdType others = mesh.GetNumberOfEdges() - inside;
-  ForKindsOfRows<3>({ mesh.NumberOfVertices, others, inside }, begin, end,
-    [&](std::size_t kind, vtkIdType first, vtkIdType last)
-    {
-      const auto append = [&](vtkIdType edge)
-      { edges.Append(static_cast<Id>(kind == 1 ? edge : others + edge)); };
-      switch (kind)
+      Id faces = 0;
+      FanStep<Id> step{ corner, true };
+      do
       {
-        case 0:
+        ++faces;
+        const Id edge = mesh.Edges[step.GetHalfEdgeIn(mesh)];
+        if (level.Tags.Edges[edge] != EdgeTag::Smooth || !step.Advance(mesh))
+        {
+          return Id(0);
+        }
+      } while (step.Corner != corner);
+      return faces;
+    };
+    ForEach(mesh.NumberOfVertices,
+      [&](vtkIdType v)
+      {
+        const Id corner = mesh.VertexCorners[v];
+        level.Places[v] = corner < 0 ? 0 : count(corner);
+      });
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    EdgeRows<Id> edges(level, tags, rows);
+    ForKindsOfRows<2>({ mesh.NumberOfVertices, mesh.GetNumberOfEdges() }, begin, end,
+      [&](std::size_t kind, vtkIdType first, vtkIdType last)
+      {
+        if (kind == 0)
+        {
           rows.AddCopies(first, last - first);
-          break;
-        case 1:
-          AppendRegularGroups<1>(
-            ButterflyEdge, first, last, [&](vtkIdType edge, Id* columns)
-            { return edges.FindRegular(static_cast<Id>(edge), columns); }, append, rows);
-          break;
-        default:
-          AppendRegularGroups<3>(
-            ButterflyEdge, first, last, [&](vtkIdType face, Id* columns)
-            { return edges.FindInside(static_cast<Id>(face), columns); }, append, rows);
-          break;
-      }
-    });
-}
+          return;
+        }
+        AppendRegularGroups<1>(
+          ButterflyEdge, first, last, [&](vtkIdType edge, Id* columns)
+          { return edges.FindRegular(static_cast<Id>(edge), columns); },
+          [&](vtkIdType edge) { edges.Append(static_cast<Id>(edge)); }, rows);
+      });
+  }
 
-template <typename Id>
-void ButterflyScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
-  const SurfaceTags<Id>& tags, LimitKind kind, vtkIdType begin, vtkIdType end,
-  RowBlock<Id>& rows) const
-{
-  ButterflyTangents<Id> tangents(level, tags, *this);
-  for (vtkIdType v = begin; v < end; ++v)
+  bool HasLimitsOfNext(const SurfaceLevel<Id>& /*level*/, bool tangents) const override
+  {
+    return !tangents;
+  }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {
     if (kind == LimitKind::Position)
     {
-      rows.Add(v, 1.);
+      rows.AddCopies(begin, end - begin);
+      return;
     }
-    else
-    {
-      tangents.Append(static_cast<Id>(v), kind, rows);
-    }
-    rows.EndRow();
+    ButterflyTangents<Id> tangents(level, tags, *this);
+    const bool hasOtherTags = &tags != &level.Tags;
+    const auto isInside = [&](Id v)
+    { return tags.Vertices[v] == VertexTag::Smooth && level.Places[v] == 6 && !hasOtherTags; };
+    AppendCycleRows(
+      level.Mesh, ButterflyTangentsInside[kind == LimitKind::Tangent1 ? 0 : 1], begin, end,
+      isInside,
+      [&](Id, const std::vector<FanStep<Id>>& steps, Id* columns)
+      {
+        bool isRegular = !steps.empty();
+        for (std::size_t j = 0; isRegular && j < steps.size(); ++j)
+        {
+          const PolygonMesh<Id>& mesh = level.Mesh;
+          const Id neighbour = GetNeighbour(mesh, steps[j]);
+          isRegular = isInside(neighbour);
+          if (isRegular)
+          {
+            const Id across = mesh.Twins[mesh.Next(steps[j].Corner)];
+            const Id side =
+              mesh.Vertices[across] == neighbour ? mesh.Previous(across) : mesh.Next(across);
+            columns[j] = neighbour;
+            columns[6 + j] = mesh.Vertices[mesh.Previous(across)];
+            columns[12 + j] = mesh.Vertices[mesh.Previous(mesh.Twins[side])];
+          }
+        }
+        return isRegular;
+      },
+      [&](Id vertex, const std::vector<FanStep<Id>>&) { tangents.Append(vertex, kind, rows); },
+      rows);
   }
-}
+  const double* GetSecondTangent(const double* first) const override
+  {
+    return first == ButterflyTangentsInside[0].data() ? ButterflyTangentsInside[1].data() : nullptr;
+  }
+};
 
 }
 

@@ -5,9 +5,9 @@
 #include "Core/Surfaces/Dual/DooSabinWeights.h"
 #include "Core/Surfaces/Dual/DualLimits.h"
 #include "Core/Surfaces/Dual/DualRefiner.h"
+#include "Core/Surfaces/Scheme/CycleRows.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace subdivision
@@ -21,51 +21,6 @@ constexpr double NearEnd = 3. / 4.;
 
 template <typename Id>
 class DooSabinRefiner;
-
-template <typename Id>
-class DooSabinScheme : public DualScheme<Id, DooSabinRefiner<Id>>
-{
-public:
-  DenseRows GetDenseRows() const override { return DenseRows::OfFaces; }
-  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 42., 145., 220. }; }
-  double CountFaces(double faces, double corners, int steps) const override
-  {
-    return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
-  }
-
-  /// The face of a chain has also the points of its two open sides.
-  void Prepare(SurfaceLevel<Id>& level) const override
-  {
-    const auto places = CountDualPlaces(level, 2);
-    places->FirstLone = level.Mesh.GetNumberOfCorners() + 2 * places->GetNumberOfOpenSides();
-    places->HasQuads = true;
-    level.Dual = places;
-    level.FanSizes = {}; // they are counted
-  }
-  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-    vtkIdType end, RowBlock<Id>& rows) const override;
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
-    SurfaceSegments& children) const override
-  {
-    AppendChildren(segments.Corners, 1, children.Vertices);
-    AppendCounted(segments.Corners, segments.Sizes, level.Dual->OpenSides, 2, children.Vertices);
-    ListDualChildren(level, segments, children);
-  }
-  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
-
-private:
-  /// The open side to which a row belongs; `isFirst` tells whether the point is near the beginning
-  /// of its half-edge.
-  static Id FindOpenSide(const SurfaceLevel<Id>& level, vtkIdType row, bool& isFirst)
-  {
-    const vtkIdType point = row - level.Mesh.GetNumberOfCorners();
-    isFirst = point % 2 == 0;
-    return FindByCount(level.Dual->OpenSides, point / 2);
-  }
-};
 
 /// Appends the rows of the corners of whole quads, from the first corner of a face on, as far as
 /// there are some. Returns how many rows there are.
@@ -101,77 +56,6 @@ bool FindQuad(const PolygonMesh<Id>& mesh, Id corner, Id columns[4])
     columns[k] = mesh.Vertices[first + (corner - first + k) % 4];
   }
   return true;
-}
-
-template <typename Id>
-void DooSabinScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
-  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType corners = mesh.GetNumberOfCorners();
-  const vtkIdType lone = level.Dual->FirstLone;
-  std::vector<double> weights;
-  for (vtkIdType row = begin; row < end; ++row)
-  {
-    row += AppendWholeQuads(mesh, row, std::min(end, corners), rows);
-    row += rows.AddRun(DooSabinQuad, std::max<vtkIdType>(std::min(end, corners) - row, 0),
-      [&](vtkIdType i, Id* columns) { return FindQuad(mesh, static_cast<Id>(row + i), columns); });
-    if (row == end)
-    {
-      break;
-    }
-    if (row >= lone)
-    {
-      AppendLoneRow(level, row - lone, rows);
-    }
-    else if (row >= corners)
-    {
-      bool isFirst = false;
-      const Id corner = FindOpenSide(level, row, isFirst);
-      rows.Add(mesh.Vertices[corner], isFirst ? NearEnd : 1. - NearEnd);
-      rows.Add(mesh.Vertices[mesh.Next(corner)], isFirst ? 1. - NearEnd : NearEnd);
-    }
-    else
-    {
-      const Id corner = static_cast<Id>(row);
-      const vtkIdType size = mesh.GetSize(mesh.GetFace(corner));
-      if (static_cast<vtkIdType>(weights.size()) != size)
-      {
-        FindCornerWeights(size, weights);
-      }
-      Id at = corner;
-      for (const double weight : weights)
-      {
-        rows.Add(mesh.Vertices[at], weight);
-        at = mesh.Next(at);
-      }
-    }
-    rows.EndRow();
-  }
-}
-
-template <typename Id>
-void DooSabinScheme<Id>::GetParents(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType lone = level.Dual->FirstLone;
-  if (row >= lone)
-  {
-    GetLoneParents(level, row - lone, parents);
-  }
-  else if (row >= mesh.GetNumberOfCorners())
-  {
-    bool isFirst = false;
-    const Id corner = FindOpenSide(level, row, isFirst);
-    parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
-  }
-  else
-  {
-    const Id face = mesh.GetFace(static_cast<Id>(row));
-    const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
-    parents.assign(first, first + mesh.GetSize(face));
-  }
 }
 
 template <typename Id>
@@ -234,7 +118,6 @@ private:
         const Id point = this->GetOpenPoint(corner, this->Mesh.Vertices[corner]) + end;
         set(start + 2 + end, point);
         this->SetVertexCorner(point, start + 2 + end);
-        this->SetFanSize(point, -2); // this face and the vertex face
       }
       this->Open(start + 2);
       return;
@@ -251,11 +134,6 @@ private:
   {
     const Id vertex = fan.Vertex;
     const vtkIdType size = this->Places.GetFaceSize(fan.Steps.size(), fan.IsCycle);
-    for (const FanStep<Id>& step : fan.Steps)
-    {
-      this->SetFanSize(
-        step.Corner, size < 3 ? 3 : 4); // faces inside, along two sides, and this one
-    }
     if (size < 3)
     {
       this->Join(this->GetAcross(fan.Steps.front().GetHalfEdgeOut(this->Mesh), vertex),
@@ -376,16 +254,139 @@ private:
 };
 
 template <typename Id>
-void DooSabinScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
-  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+class DooSabinScheme : public DualScheme<Id, DooSabinRefiner<Id>>
 {
-  DooSabinLimits<Id> limits(level, rows);
-  for (vtkIdType v = begin; v < end; ++v)
+public:
+  DenseRows GetDenseRows() const override { return DenseRows::OfFaces; }
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 12., 42., 145., 220. }; }
+  double CountFaces(double faces, double corners, int steps) const override
   {
-    limits.Append(static_cast<Id>(v), kind);
-    rows.EndRow();
+    return steps > 0 ? corners * std::pow(4., steps - 1) : faces;
   }
-}
+
+  /// The face of a chain has also the points of its two open sides.
+  void Prepare(SurfaceLevel<Id>& level) const override
+  {
+    const auto places = CountDualPlaces(level, 2);
+    places->FirstLone = level.Mesh.GetNumberOfCorners() + 2 * places->GetNumberOfOpenSides();
+    places->HasQuads = true;
+    level.Dual = places;
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const vtkIdType corners = mesh.GetNumberOfCorners();
+    const vtkIdType lone = level.Dual->FirstLone;
+    std::vector<double> weights;
+    for (vtkIdType row = begin; row < end; ++row)
+    {
+      row += AppendWholeQuads(mesh, row, std::min(end, corners), rows);
+      row += rows.AddRun(DooSabinQuad, std::max<vtkIdType>(std::min(end, corners) - row, 0),
+        [&](vtkIdType i, Id* columns)
+        { return FindQuad(mesh, static_cast<Id>(row + i), columns); });
+      if (row == end)
+      {
+        break;
+      }
+      if (row >= lone)
+      {
+        AppendLoneRow(level, row - lone, rows);
+      }
+      else if (row >= corners)
+      {
+        bool isFirst = false;
+        const Id corner = FindOpenSide(level, row, isFirst);
+        rows.Add(mesh.Vertices[corner], isFirst ? NearEnd : 1. - NearEnd);
+        rows.Add(mesh.Vertices[mesh.Next(corner)], isFirst ? 1. - NearEnd : NearEnd);
+      }
+      else
+      {
+        const Id corner = static_cast<Id>(row);
+        const vtkIdType size = mesh.GetSize(mesh.GetFace(corner));
+        if (static_cast<vtkIdType>(weights.size()) != size)
+        {
+          FindCornerWeights(size, weights);
+        }
+        Id at = corner;
+        for (const double weight : weights)
+        {
+          rows.Add(mesh.Vertices[at], weight);
+          at = mesh.Next(at);
+        }
+      }
+      rows.EndRow();
+    }
+  }
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const vtkIdType lone = level.Dual->FirstLone;
+    if (row >= lone)
+    {
+      GetLoneParents(level, row - lone, parents);
+    }
+    else if (row >= mesh.GetNumberOfCorners())
+    {
+      bool isFirst = false;
+      const Id corner = FindOpenSide(level, row, isFirst);
+      parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
+    }
+    else
+    {
+      const Id face = mesh.GetFace(static_cast<Id>(row));
+      const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
+      parents.assign(first, first + mesh.GetSize(face));
+    }
+  }
+
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    AppendChildren(segments.Corners, 1, children.Vertices);
+    AppendCounted(segments.Corners, segments.Sizes, level.Dual->OpenSides, 2, children.Vertices);
+    ListDualChildren(level, segments, children);
+  }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    DooSabinLimits<Id> limits(level, rows);
+    AppendCycleRows(
+      mesh, DooSabinLimitsOfQuads[static_cast<std::size_t>(kind)], begin, end,
+      [&mesh](Id v) { return mesh.VertexCorners[v] >= 0; },
+      [&mesh](Id vertex, const std::vector<FanStep<Id>>& steps, Id* columns)
+      {
+        FanStep<Id> last = steps.size() == 4 ? steps.back() : FanStep<Id>{ Id(-1), true };
+        bool isRegular =
+          last.Corner >= 0 && last.Advance(mesh) && last.Corner == steps.front().Corner;
+        columns[0] = vertex;
+        for (std::size_t j = 0; isRegular && j < 4; ++j)
+        {
+          isRegular = mesh.GetSize(mesh.GetFace(steps[j].Corner)) == 4;
+          columns[1 + j] = GetNeighbour(mesh, steps[j]);
+          columns[5 + j] = mesh.Vertices[mesh.Next(mesh.Next(steps[j].Corner))];
+        }
+        return isRegular;
+      },
+      [&](Id vertex, const std::vector<FanStep<Id>>&) { limits.Append(vertex, kind); }, rows);
+  }
+  const double* GetSecondTangent(const double* first) const override
+  {
+    return first == DooSabinLimitsOfQuads[1].data() ? DooSabinLimitsOfQuads[2].data() : nullptr;
+  }
+
+private:
+  /// The open side to which a row belongs; `isFirst` tells whether the point is near the beginning
+  /// of its half-edge.
+  static Id FindOpenSide(const SurfaceLevel<Id>& level, vtkIdType row, bool& isFirst)
+  {
+    const vtkIdType point = row - level.Mesh.GetNumberOfCorners();
+    isFirst = point % 2 == 0;
+    return FindByCount(level.Dual->OpenSides, point / 2);
+  }
+};
 
 }
 

@@ -39,6 +39,27 @@ inline const std::array<double, 4> DooSabinQuad = []()
   return std::array<double, 4>{ weights[0], weights[1], weights[2], weights[3] };
 }();
 
+/// The limit masks of a vertex with four quads all around, by LimitKind: its position and its
+/// tangents, which are those of the four corners that a step makes around it. The weights of the
+/// vertex, of its neighbours, and of the vertices opposite to it; quad j begins at neighbour j.
+inline const std::array<std::array<double, 9>, 3> DooSabinLimitsOfQuads = []()
+{
+  constexpr double ofCorner[3][4] = { { 0.25, 0.25, 0.25, 0.25 }, { 1., 0., -1., 0. },
+    { 0., 1., 0., -1. } };
+  std::array<std::array<double, 9>, 3> masks{};
+  for (int kind = 0; kind < 3; ++kind)
+  {
+    for (int j = 0; j < 4; ++j)
+    {
+      masks[kind][0] += ofCorner[kind][j] * DooSabinQuad[0];
+      masks[kind][1 + j] += ofCorner[kind][j] * DooSabinQuad[1];
+      masks[kind][1 + (j + 1) % 4] += ofCorner[kind][j] * DooSabinQuad[3];
+      masks[kind][5 + j] = ofCorner[kind][j] * DooSabinQuad[2];
+    }
+  }
+  return masks;
+}();
+
 }
 
 #endif

@@ -4,8 +4,6 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 
-#include <cstdlib>
-
 namespace subdivision
 {
 namespace
@@ -47,16 +45,16 @@ void CountFans(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
   {
     *counts = Buffer<Id>(vertices + 1);
   }
-  const auto set = [&](vtkIdType vertex, const auto& forFans)
+  const auto count = [&](Id vertex, const auto& visitFans)
   {
     Id faces = 0;
     Id corners = 0;
     Id chains = 0;
     Id fans = 0;
-    forFans(
-      [&](std::size_t k, bool cycle)
+    visitFans(
+      [&](Id, const std::vector<FanStep<Id>>& steps, bool cycle)
       {
-        const vtkIdType face = places.GetFaceSize(k, cycle);
+        const vtkIdType face = places.GetFaceSize(steps.size(), cycle);
         faces += face >= 3;
         corners += face >= 3 ? static_cast<Id>(face) : 0;
         chains += !cycle;
@@ -67,35 +65,8 @@ void CountFans(const SurfaceLevel<Id>& level, DualPlaces<Id>& places)
     places.Chains[vertex] = chains;
     places.Kept[vertex] = fans == 0;
   };
-  const auto walk = [&](Id vertex, const auto& visitFans)
-  {
-    set(vertex,
-      [&](const auto& add)
-      {
-        visitFans(
-          [&](Id, const std::vector<FanStep<Id>>& steps, bool cycle) { add(steps.size(), cycle); });
-      });
-  };
-  const auto look = [&](vtkIdType vertex)
-  {
-    const int k = level.FanSizes[vertex];
-    if (k == level.UnknownFan)
-    {
-      ForFansForward(mesh, vertex, vertex + 1, walk);
-      return;
-    }
-    set(vertex,
-      [k](const auto& add)
-      {
-        if (k != 0)
-        {
-          add(static_cast<std::size_t>(std::abs(k)), k > 0);
-        }
-      });
-  };
-  level.FanSizes.empty() ? ForRanges(vertices, [&](vtkIdType begin, vtkIdType end)
-                             { ForFansForward(mesh, begin, end, walk); })
-                         : ForEach(vertices, look);
+  ForRanges(
+    vertices, [&](vtkIdType begin, vtkIdType end) { ForFansForward(mesh, begin, end, count); });
   CountsToOffsets(places.Faces);
   CountsToOffsets(places.Corners);
   CountsToOffsets(places.Chains);

@@ -57,7 +57,6 @@ public:
             out.CornerFaces.begin() + out.FaceOffsets[f + 1], static_cast<Id>(f));
         });
       out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-      this->Next.FanSizes = Buffer<signed char>(out.NumberOfVertices, 0);
       std::fill(out.VertexCorners.begin() + this->Places.FirstLone, out.VertexCorners.end(),
         static_cast<Id>(-1));
       out.Vertices = Buffer<Id>(size);
@@ -109,15 +108,6 @@ protected:
     if (this->Whole)
     {
       this->Next.Mesh.VertexCorners[vertex] = corner;
-    }
-  }
-
-  /// SurfaceLevel::FanSizes of the next level.
-  void SetFanSize(Id vertex, int size)
-  {
-    if (this->Whole)
-    {
-      this->Next.FanSizes[vertex] = static_cast<signed char>(size);
     }
   }
 

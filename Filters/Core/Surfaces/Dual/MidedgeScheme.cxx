@@ -26,98 +26,6 @@ template <typename Id>
 class MidedgeRefiner;
 
 template <typename Id>
-class MidedgeScheme : public DualScheme<Id, MidedgeRefiner<Id>>
-{
-public:
-  FaceMemory GetFaceMemory() const override { return { 40., 1., 50., 118., 215., 290. }; }
-  double CountFaces(double faces, double corners, int steps) const override
-  {
-    return steps > 0 ? corners * std::pow(2., steps - 2) : faces;
-  }
-
-  /// The face of a chain has all sides of its fan, and the vertex if it is kept.
-  void Prepare(SurfaceLevel<Id>& level) const override
-  {
-    const bool keeps = KeepsChains(level);
-    const auto places = CountDualPlaces(level, keeps ? 2 : 1);
-    places->FirstLone = places->GetNumberOfSides() + (keeps ? places->GetNumberOfChains() : 0);
-    level.Dual = places;
-    level.FanSizes = {}; // they are counted
-  }
-  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-    vtkIdType end, RowBlock<Id>& rows) const override;
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
-  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
-    SurfaceSegments& children) const override
-  {
-    const DualPlaces<Id>& places = *level.Dual;
-    AppendCounted(segments.Corners, segments.Sizes, places.Sides, 1, children.Vertices);
-    if (KeepsChains(level))
-    {
-      AppendCounted(segments.Vertices, segments.Sizes, places.Chains, 1, children.Vertices);
-    }
-    ListDualChildren(level, segments, children);
-  }
-  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
-    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
-};
-
-template <typename Id>
-void MidedgeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
-  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const DualPlaces<Id>& places = *level.Dual;
-  const vtkIdType sides = places.GetNumberOfSides();
-  const vtkIdType lone = level.Dual->FirstLone;
-  Id corner = begin < sides ? FindByCount(places.Sides, begin) : 0;
-  for (vtkIdType row = begin; row < end; ++row)
-  {
-    if (row >= lone)
-    {
-      AppendLoneRow(level, row - lone, rows);
-    }
-    else if (row >= sides)
-    {
-      rows.Add(FindByCount(places.Chains, row - sides), 1.);
-    }
-    else
-    {
-      while (places.Sides[corner + 1] <= row)
-      {
-        ++corner;
-      }
-      rows.Add(mesh.Vertices[corner], 0.5);
-      rows.Add(mesh.Vertices[mesh.Next(corner)], 0.5);
-    }
-    rows.EndRow();
-  }
-}
-
-template <typename Id>
-void MidedgeScheme<Id>::GetParents(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const vtkIdType sides = level.Dual->GetNumberOfSides();
-  const vtkIdType lone = level.Dual->FirstLone;
-  if (row >= lone)
-  {
-    GetLoneParents(level, row - lone, parents);
-  }
-  else if (row >= sides)
-  {
-    parents.assign({ FindByCount(level.Dual->Chains, row - sides) });
-  }
-  else
-  {
-    const Id corner = FindByCount(level.Dual->Sides, row);
-    parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
-  }
-}
-
-template <typename Id>
 class MidedgeRefiner : public DualRefiner<Id>
 {
   using typename DualRefiner<Id>::Fan;
@@ -142,7 +50,6 @@ public:
         if (first == corner)
         {
           this->SetVertexCorner(this->Places.Sides[first], corner);
-          this->SetFanSize(this->Places.Sides[first], this->FindFanSize(corner));
         }
       });
     this->SetVertexFaces([&](const Fan& fan, Id at) { return this->SetFan(fan, at, ids); });
@@ -164,28 +71,6 @@ private:
         chain += !found && !FindFanForward(this->Mesh, other, steps);
       });
     return chain;
-  }
-
-  /// How many faces the vertex on a corner's side has: the faces of the side, one for each end.
-  int FindFanSize(Id corner) const
-  {
-    const bool isOpen = this->Mesh.Twins[corner] < 0;
-    int size = isOpen ? 1 : 2;
-    bool isCycle = !isOpen;
-    for (const Id half : { corner, this->Mesh.Next(corner) })
-    {
-      const Id vertex = this->Mesh.Vertices[half];
-      if (this->Mesh.VertexCorners[vertex] < 0)
-      {
-        return SurfaceLevel<Id>::UnknownFan; // several fans
-      }
-      const bool hasFace = this->Places.Faces[vertex] < this->Places.Faces[vertex + 1];
-      const bool isChain = this->Places.GetNumberOfChains() > 0 &&
-        this->Places.Chains[vertex] < this->Places.Chains[vertex + 1];
-      size += hasFace;
-      isCycle = isCycle && (hasFace || !isChain); // without a face the sides of a cycle are joined
-    }
-    return isCycle ? size : -size;
   }
 
   /// The half-edge inside a face of a fan, towards the vertex.
@@ -216,7 +101,6 @@ private:
       const Id vertex = this->GetChainVertex(fan.Vertex, fan.Corner);
       ids[at] = static_cast<Out>(vertex);
       this->SetVertexCorner(vertex, at);
-      this->SetFanSize(vertex, -1);
       this->Open(at);
     }
     return size;
@@ -273,42 +157,122 @@ void AppendBetweenTwoFaces(
 }
 
 template <typename Id>
-void MidedgeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&,
-  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
+class MidedgeScheme : public DualScheme<Id, MidedgeRefiner<Id>>
 {
-  DualFan<Id> fan;
-  for (vtkIdType v = begin; v < end; ++v)
+public:
+  FaceMemory GetFaceMemory() const override { return { 40., 1., 50., 118., 215., 290. }; }
+  double CountFaces(double faces, double corners, int steps) const override
   {
-    const Id vertex = static_cast<Id>(v);
-    const bool hasFaces = fan.Find(level.Mesh, vertex);
-    const std::size_t k = fan.Steps.size();
-    const bool isPosition = kind == LimitKind::Position;
-    if (!hasFaces)
-    {
-      AppendLoneLimit(level, vertex, kind, rows);
-    }
-    else if (!fan.IsCycle && kind != LimitKind::Tangent2)
-    {
-      AppendDualBoundary(fan, vertex, kind, KeepsChains(level) ? 3. / 4. : 1. / 2., rows);
-    }
-    else if (fan.IsCycle && isPosition && k == 2)
-    {
-      AppendBetweenTwoFaces(level.Mesh, fan, vertex, rows);
-    }
-    else if (fan.IsCycle && (isPosition ? k > 2 : k > 3))
-    {
-      if (isPosition)
-      {
-        rows.Add(vertex, 1. / 2.);
-      }
-      for (std::size_t j = 0; j < k; ++j)
-      {
-        rows.Add(fan.Ends[j], (isPosition ? 0.5 : 1.) * GetDualWeight(kind, j, k));
-      }
-    }
-    rows.EndRow();
+    return steps > 0 ? corners * std::pow(2., steps - 2) : faces;
   }
-}
+
+  /// The face of a chain has all sides of its fan, and the vertex if it is kept.
+  void Prepare(SurfaceLevel<Id>& level) const override
+  {
+    const bool keeps = KeepsChains(level);
+    const auto places = CountDualPlaces(level, keeps ? 2 : 1);
+    places->FirstLone = places->GetNumberOfSides() + (keeps ? places->GetNumberOfChains() : 0);
+    level.Dual = places;
+  }
+  void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, vtkIdType begin,
+    vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const DualPlaces<Id>& places = *level.Dual;
+    const vtkIdType sides = places.GetNumberOfSides();
+    const vtkIdType lone = level.Dual->FirstLone;
+    Id corner = begin < sides ? FindByCount(places.Sides, begin) : 0;
+    for (vtkIdType row = begin; row < end; ++row)
+    {
+      if (row >= lone)
+      {
+        AppendLoneRow(level, row - lone, rows);
+      }
+      else if (row >= sides)
+      {
+        rows.Add(FindByCount(places.Chains, row - sides), 1.);
+      }
+      else
+      {
+        while (places.Sides[corner + 1] <= row)
+        {
+          ++corner;
+        }
+        rows.Add(mesh.Vertices[corner], 0.5);
+        rows.Add(mesh.Vertices[mesh.Next(corner)], 0.5);
+      }
+      rows.EndRow();
+    }
+  }
+  void GetParents(
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const vtkIdType sides = level.Dual->GetNumberOfSides();
+    const vtkIdType lone = level.Dual->FirstLone;
+    if (row >= lone)
+    {
+      GetLoneParents(level, row - lone, parents);
+    }
+    else if (row >= sides)
+    {
+      parents.assign({ FindByCount(level.Dual->Chains, row - sides) });
+    }
+    else
+    {
+      const Id corner = FindByCount(level.Dual->Sides, row);
+      parents.assign({ mesh.Vertices[corner], mesh.Vertices[mesh.Next(corner)] });
+    }
+  }
+
+  void ListChildren(const SurfaceLevel<Id>& level, const SurfaceSegments& segments,
+    SurfaceSegments& children) const override
+  {
+    const DualPlaces<Id>& places = *level.Dual;
+    AppendCounted(segments.Corners, segments.Sizes, places.Sides, 1, children.Vertices);
+    if (KeepsChains(level))
+    {
+      AppendCounted(segments.Vertices, segments.Sizes, places.Chains, 1, children.Vertices);
+    }
+    ListDualChildren(level, segments, children);
+  }
+  void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, LimitKind kind,
+    vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    DualFan<Id> fan;
+    for (vtkIdType v = begin; v < end; ++v)
+    {
+      const Id vertex = static_cast<Id>(v);
+      const bool hasFaces = fan.Find(level.Mesh, vertex);
+      const std::size_t k = fan.Steps.size();
+      const bool isPosition = kind == LimitKind::Position;
+      if (!hasFaces)
+      {
+        AppendLoneLimit(level, vertex, kind, rows);
+      }
+      else if (!fan.IsCycle && kind != LimitKind::Tangent2)
+      {
+        AppendDualBoundary(fan, vertex, kind, KeepsChains(level) ? 3. / 4. : 1. / 2., rows);
+      }
+      else if (fan.IsCycle && isPosition && k == 2)
+      {
+        AppendBetweenTwoFaces(level.Mesh, fan, vertex, rows);
+      }
+      else if (fan.IsCycle && (isPosition ? k > 2 : k > 3))
+      {
+        if (isPosition)
+        {
+          rows.Add(vertex, 1. / 2.);
+        }
+        for (std::size_t j = 0; j < k; ++j)
+        {
+          rows.Add(fan.Ends[j], (isPosition ? 0.5 : 1.) * GetDualWeight(kind, j, k));
+        }
+      }
+      rows.EndRow();
+    }
+  }
+};
 
 }
 

@@ -37,9 +37,11 @@ template <typename Id>
 class FourEightLimits
 {
 public:
-  FourEightLimits(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level, LimitKind kind)
+  FourEightLimits(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
+    bool modifiedBoundary, LimitKind kind)
     : Scheme(scheme)
     , Level(level)
+    , ModifiedBoundary(modifiedBoundary)
     , Kind(kind)
   {
   }
@@ -140,7 +142,7 @@ private:
     }
     else
     {
-      if (!this->Star.FindAround(level, wanted.Corner))
+      if (!this->Star.FindAround(level, wanted.Corner, this->ModifiedBoundary))
       {
         return false;
       }
@@ -199,7 +201,12 @@ private:
       return; // no plane
     }
     const double angle = 2. * Pi / static_cast<double>(k);
-    const FourEightWave& mask = Recall(this->Waves, k, angle);
+    std::unique_ptr<FourEightWave>& known = Recall(this->Waves, k);
+    if (!known)
+    {
+      known = std::make_unique<FourEightWave>(angle);
+    }
+    const FourEightWave& mask = *known;
     const bool isFirst = this->Kind == LimitKind::Tangent1;
     this->AddWave(
       mask, this->Scale(mask) * (isFirst ? 1. : wanted.Turn), true,
@@ -210,7 +217,13 @@ private:
   {
     const std::size_t k = this->Star.Wedges.size();
     const double angle = Pi / static_cast<double>(k);
-    const FourEightCurveMask& mask = Recall(this->CurveMasks, k, static_cast<int>(k));
+    std::unique_ptr<FourEightCurveMask>& known = Recall(this->CurveMasks, k);
+    if (!known)
+    {
+      known =
+        std::make_unique<FourEightCurveMask>(static_cast<int>(k), this->ModifiedBoundary && k != 2);
+    }
+    const FourEightCurveMask& mask = *known;
     const double factor = this->Scale(mask.Inside) * wanted.Turn;
     entries.emplace_back(wanted.Vertex, factor * mask.Own);
     for (int end = 0; end < 2; ++end)
@@ -229,16 +242,11 @@ private:
     return std::pow(mask.Value, -static_cast<double>(this->Patches.size()));
   }
 
-  template <typename Mask, typename Argument>
-  static const Mask& Recall(
-    std::vector<std::unique_ptr<Mask>>& known, std::size_t k, Argument argument)
+  template <typename Mask>
+  static std::unique_ptr<Mask>& Recall(std::vector<std::unique_ptr<Mask>>& known, std::size_t k)
   {
     known.resize(std::max(known.size(), k + 1));
-    if (!known[k])
-    {
-      known[k] = std::make_unique<Mask>(argument);
-    }
-    return *known[k];
+    return known[k];
   }
 
   // ----------------------------------------------------------------------------------------------
@@ -246,7 +254,7 @@ private:
 
   void Descend(std::vector<Wanted> wanted)
   {
-    constexpr int most = 6; // four are enough
+    constexpr int most = 8; // five are enough
     // No loop over a patch is worth threads, of which this is one already. A step doubles corners.
     constexpr vtkIdType mostCorners = WorthThreads / 3;
     constexpr std::size_t few = 4; // of a patch that is larger, they share most
@@ -292,7 +300,8 @@ private:
     {
       vertices.push_back(each.Vertex);
     }
-    std::sort(vertices.begin(), vertices.end());
+    this->AddCurves(whole, vertices);
+    SortUnique(vertices);
     auto patch = std::make_unique<SurfacePatch<Id>>(whole, vertices);
     for (Wanted& each : wanted)
     {
@@ -302,6 +311,31 @@ private:
     this->Scheme.CloseRim(whole, *patch);
     this->Scheme.Prepare(patch->Level);
     return patch;
+  }
+
+  /// Adds the vertices on curves whose sectors make rows of faces beyond faces of the given ones.
+  void AddCurves(const SurfaceLevel<Id>& level, std::vector<Id>& vertices) const
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    if (!this->ModifiedBoundary)
+    {
+      return;
+    }
+    std::vector<Id> near = vertices;
+    std::vector<Id> beyond;
+    const auto appendAround = [&mesh](Id vertex, std::vector<Id>& to)
+    { VisitFaces(mesh, vertex, [&](Id face) { AppendOfFace(mesh, mesh.Vertices, face, to); }); };
+    for (const Id vertex : vertices)
+    {
+      appendAround(vertex, near);
+    }
+    SortUnique(near);
+    for (const Id vertex : near)
+    {
+      appendAround(vertex, beyond);
+    }
+    std::copy_if(beyond.begin(), beyond.end(), std::back_inserter(vertices),
+      [&level](Id v) { return FourEightStar<Id>::MovesCentres(level, v); });
   }
 
   /// Moves a corner to the next level, into the same fan or sector.
@@ -355,6 +389,7 @@ private:
 
   const SurfaceScheme<Id>& Scheme;
   const SurfaceLevel<Id>& Level;
+  const bool ModifiedBoundary;
   const LimitKind Kind;
   std::vector<Entries<Id>> Rows; ///< that are made
   FourEightStar<Id> Star;
@@ -371,9 +406,9 @@ private:
 
 template <typename Id>
 void AppendFourEightLimits(const SurfaceScheme<Id>& scheme, const SurfaceLevel<Id>& level,
-  LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+  bool modifiedBoundary, LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
 {
-  FourEightLimits<Id>(scheme, level, kind).Append(begin, end, rows);
+  FourEightLimits<Id>(scheme, level, modifiedBoundary, kind).Append(begin, end, rows);
 }
 
 SUBDIVISION_COMPILE_FUNCTION(AppendFourEightLimits);

@@ -29,12 +29,22 @@ struct FourEightTotals
   static constexpr double Knights = 1. / 120.;
 };
 
+/// The weight h of each of the three other corners in the centre that an even step makes beside a
+/// vertex on a curve, which has 1 - 3 h, by the angle of one face of the sector. With it the
+/// largest eigenvalue of two steps is 1/2 for waves of this angle, as on the curve itself.
+double GetFourEightFarWeight(double angle);
+
 /// The weights of a tangent where neighbouring edges are `angle` apart. Each is to be multiplied by
 /// the cosine or the sine of a direction, of the edge or, for opposite corners, of the middle of
 /// the face. A knight's move has two, of the edge and of the face between which it lies.
 struct FourEightWave
 {
   explicit FourEightWave(double angle);
+  /// The same for a level after an even number of steps where the even step has the weight `far` of
+  /// GetFourEightFarWeight. Value is the square root of the eigenvalue of two steps.
+  FourEightWave(double angle, double far);
+  /// The weights on the level before a step. c: the cosine of half the angle.
+  FourEightWave PullBack(double c, double far) const;
 
   double Value = 0.; ///< the eigenvalue of one step
   double Edge = 1.;
@@ -44,11 +54,14 @@ struct FourEightWave
   double KnightOfFace = 1.;
 };
 
+/// The eigenvalue l3 of two steps at a corner, in a sector of k > 1 faces with this angle.
+double GetFourEightThirdEigenvalue(int k, double angle);
+
 /// The weights of the tangent across a curve in a sector of k faces, k > 1, on a level after an
 /// even number of steps. Inside the sector they follow the sine, which is zero on the curve.
 struct FourEightCurveMask
 {
-  explicit FourEightCurveMask(int k);
+  FourEightCurveMask(int k, bool modified);
 
   FourEightWave Inside;
   double Own = 0.;    ///< of the vertex

@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/SplitJoints.h"
+#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -370,7 +371,10 @@ SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& t
         : v < children.GetFirstMiddle()                 ? VertexTag::Smooth
                                                         : VertexTag::Curve;
     });
-  out.Sectors = tags.Sectors; // their corners are corners of the control level
+  out.Sectors = tags.Sectors;
+  MoveSectors(
+    level.Mesh, tags, [&](Id fixed, Id vertex) { return children.GetCornerAtEnd(fixed, vertex); },
+    out.Sectors);
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
+#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -152,7 +153,16 @@ template <typename Id>
 class FourEightScheme : public FourEightRefinement<Id>
 {
 public:
+  explicit FourEightScheme(bool modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
+  {
+  }
+
   bool NeedsTriangles() const override { return false; }
+  double GetThirdEigenvalue(int k, double angle) const override
+  {
+    return this->ModifiedBoundary && k > 1 ? GetFourEightThirdEigenvalue(k, angle) : 0.;
+  }
   bool HasCornersOfOneFace() const override { return true; }
   DenseRows GetDenseRows() const override { return DenseRows::OfLimits; }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 16., 66., 122., 155. }; }
@@ -161,13 +171,100 @@ public:
     return steps > 0 ? corners * std::pow(2., steps - 1) : faces;
   }
   void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
-  void CloseRim(const SurfaceLevel<Id>& whole, SurfacePatch<Id>& patch) const override;
+  /// Edges where the patch ends and the whole level goes on get a face beyond, of new vertices:
+  /// even steps need that a fixed edge belongs to a triangle which has no other one. Over an edge
+  /// ab stands a triangle abd with a vertex m in its middle, that is, three triangles, of which two
+  /// have a fixed edge. Edges of the whole level have its tags. Only the surroundings of vertices
+  /// inside have anything to do with the whole level.
+  void CloseRim(const SurfaceLevel<Id>& whole, SurfacePatch<Id>& patch) const override
+  {
+    for (std::size_t e = 0; e < patch.Edges.size(); ++e)
+    {
+      patch.Level.Tags.Edges[static_cast<vtkIdType>(e)] = whole.Tags.Edges[patch.Edges[e]];
+    }
+    const std::vector<Id> rim = FindRim(whole.Mesh, patch);
+    if (!rim.empty())
+    {
+      RimMaker<Id>(patch.Level.Mesh, patch.Level.Tags).Run(rim);
+    }
+  }
   void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
+    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const FourEightTopology<Id> topology(level);
+    const Id vertex = static_cast<Id>(row);
+    if (row < mesh.NumberOfVertices)
+    {
+      parents.assign({ row });
+    }
+    else if (vertex < topology.GetFirstMiddle())
+    {
+      const Id face = topology.FindFace(vertex - topology.GetFirstCentre());
+      const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
+      parents.assign(first, first + mesh.GetSize(face));
+    }
+    else
+    {
+      const Id edge = topology.FindFixed(vertex - topology.GetFirstMiddle());
+      parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
+    }
+  }
+  /// A child between two faces that lie in one control face each gets these two: First is the
+  /// control face of its last corner, Second of its second corner, which are both new. In the next
+  /// step each edge that is not fixed ends at one of these two corners, and its child lies in the
+  /// control face of that corner.
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
-    Buffer<Carrier<Id>>& children) const override;
+    Buffer<Carrier<Id>>& children) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const FourEightTopology<Id> topology(level);
+    children = Buffer<Carrier<Id>>(topology.GetNumberOfFaces());
+    ForEach(mesh.GetNumberOfCorners(),
+      [&](vtkIdType c)
+      {
+        const Id corner = static_cast<Id>(c);
+        if (!topology.HasChild(corner))
+        {
+          return;
+        }
+        const Id face = mesh.GetFace(corner);
+        const Id other = topology.IsFixed(corner) ? face : mesh.GetFace(mesh.Twins[corner]);
+        const bool isOfLast = corner - mesh.GetFirst(face) >= 2;
+        const Id carrier = isOfLast ? faces[face].First : faces[face].Second;
+        children[topology.GetChild(corner)] = areWhole
+          ? Carrier<Id>{ faces[face].First, faces[other].First }
+          : Carrier<Id>{ carrier, carrier };
+      });
+  }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
-    vtkIdType end, RowBlock<Id>& rows) const override;
+    vtkIdType end, RowBlock<Id>& rows) const override
+  {
+    const PolygonMesh<Id>& mesh = level.Mesh;
+    const FourEightTopology<Id> topology(level);
+    ForKindsOfRows<3>(
+      { mesh.NumberOfVertices, topology.GetNumberOfCentres(), topology.GetNumberOfFixed() }, begin,
+      end,
+      [&](std::size_t kind, vtkIdType first, vtkIdType last)
+      {
+        if (kind == 0)
+        {
+          AppendVertices(topology, tags, first, last, rows);
+        }
+        else if (kind == 1)
+        {
+          this->AppendCentres(level, topology, tags, first, last, rows);
+        }
+        for (vtkIdType row = first; row < last && kind == 2; ++row)
+        {
+          const Id edge = topology.FindFixed(static_cast<Id>(row));
+          rows.Add(mesh.EdgeVertices[2 * edge], 0.5);
+          rows.Add(mesh.EdgeVertices[2 * edge + 1], 0.5);
+          rows.EndRow();
+        }
+      });
+  }
+
   vtkIdType GetOrientingFace(const SurfaceLevel<Id>& level, vtkIdType child) const override
   {
     return level.Mesh.GetFace(FourEightTopology<Id>(level).FindCornerOf(static_cast<Id>(child)));
@@ -175,116 +272,17 @@ public:
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& /*tags*/,
     LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override
   {
-    AppendFourEightLimits(*this, level, kind, begin, end, rows);
+    AppendFourEightLimits(*this, level, this->ModifiedBoundary, kind, begin, end, rows);
   }
 
 private:
   static void AppendVertices(const FourEightTopology<Id>& topology, const SurfaceTags<Id>& tags,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
-  static void AppendCentres(
-    const FourEightTopology<Id>& topology, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
+  void AppendCentres(const SurfaceLevel<Id>& level, const FourEightTopology<Id>& topology,
+    const SurfaceTags<Id>& tags, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const;
+
+  const bool ModifiedBoundary;
 };
-
-/// Edges where the patch ends and the whole level goes on get a face beyond, of new vertices: even
-/// steps need that a fixed edge belongs to a triangle which has no other one. Over an edge ab
-/// stands a triangle abd with a vertex m in its middle, that is, three triangles, of which two have
-/// a fixed edge. Edges of the whole level have its tags. Only the surroundings of vertices inside
-/// have anything to do with the whole level.
-template <typename Id>
-void FourEightScheme<Id>::CloseRim(const SurfaceLevel<Id>& whole, SurfacePatch<Id>& patch) const
-{
-  for (std::size_t e = 0; e < patch.Edges.size(); ++e)
-  {
-    patch.Level.Tags.Edges[static_cast<vtkIdType>(e)] = whole.Tags.Edges[patch.Edges[e]];
-  }
-  const std::vector<Id> rim = FindRim(whole.Mesh, patch);
-  if (!rim.empty())
-  {
-    RimMaker<Id>(patch.Level.Mesh, patch.Level.Tags).Run(rim);
-  }
-}
-
-template <typename Id>
-void FourEightScheme<Id>::GetParents(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const FourEightTopology<Id> topology(level);
-  const Id vertex = static_cast<Id>(row);
-  if (row < mesh.NumberOfVertices)
-  {
-    parents.assign({ row });
-  }
-  else if (vertex < topology.GetFirstMiddle())
-  {
-    const Id face = topology.FindFace(vertex - topology.GetFirstCentre());
-    const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
-    parents.assign(first, first + mesh.GetSize(face));
-  }
-  else
-  {
-    const Id edge = topology.FindFixed(vertex - topology.GetFirstMiddle());
-    parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
-  }
-}
-
-/// A child between two faces that lie in one control face each gets these two: First is the control
-/// face of its last corner, Second of its second corner, which are both new. In the next step each
-/// edge that is not fixed ends at one of these two corners, and its child lies in the control face
-/// of that corner.
-template <typename Id>
-void FourEightScheme<Id>::CarryFaces(const SurfaceLevel<Id>& level,
-  const Buffer<Carrier<Id>>& faces, bool areWhole, Buffer<Carrier<Id>>& children) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const FourEightTopology<Id> topology(level);
-  children = Buffer<Carrier<Id>>(topology.GetNumberOfFaces());
-  ForEach(mesh.GetNumberOfCorners(),
-    [&](vtkIdType c)
-    {
-      const Id corner = static_cast<Id>(c);
-      if (!topology.HasChild(corner))
-      {
-        return;
-      }
-      const Id face = mesh.GetFace(corner);
-      const Id other = topology.IsFixed(corner) ? face : mesh.GetFace(mesh.Twins[corner]);
-      const bool isOfLast = corner - mesh.GetFirst(face) >= 2;
-      const Id carrier = isOfLast ? faces[face].First : faces[face].Second;
-      children[topology.GetChild(corner)] = areWhole
-        ? Carrier<Id>{ faces[face].First, faces[other].First }
-        : Carrier<Id>{ carrier, carrier };
-    });
-}
-
-template <typename Id>
-void FourEightScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
-  vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const
-{
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const FourEightTopology<Id> topology(level);
-  ForKindsOfRows<3>(
-    { mesh.NumberOfVertices, topology.GetNumberOfCentres(), topology.GetNumberOfFixed() }, begin,
-    end,
-    [&](std::size_t kind, vtkIdType first, vtkIdType last)
-    {
-      if (kind == 0)
-      {
-        AppendVertices(topology, tags, first, last, rows);
-      }
-      else if (kind == 1)
-      {
-        AppendCentres(topology, first, last, rows);
-      }
-      for (vtkIdType row = first; row < last && kind == 2; ++row)
-      {
-        const Id edge = topology.FindFixed(static_cast<Id>(row));
-        rows.Add(mesh.EdgeVertices[2 * edge], 0.5);
-        rows.Add(mesh.EdgeVertices[2 * edge + 1], 0.5);
-        rows.EndRow();
-      }
-    });
-}
 
 /// Smooth vertices: half from the mean of their neighbours. Curves: cubic B-spline in even steps.
 template <typename Id>
@@ -327,12 +325,17 @@ void FourEightScheme<Id>::AppendVertices(const FourEightTopology<Id>& topology,
     rows);
 }
 
-/// The means of faces that are not cut.
+/// The means of faces that are not cut; quads beside curves may have other weights.
 template <typename Id>
-void FourEightScheme<Id>::AppendCentres(
-  const FourEightTopology<Id>& topology, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
+void FourEightScheme<Id>::AppendCentres(const SurfaceLevel<Id>& level,
+  const FourEightTopology<Id>& topology, const SurfaceTags<Id>& tags, vtkIdType begin,
+  vtkIdType end, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = topology.Mesh;
+  const bool hasOthers =
+    this->ModifiedBoundary && topology.HasFixed() && (topology.IsEven || !tags.Sectors.empty());
+  const auto find = [&](Id face)
+  { return CentreAtCurves<Id, 4>(level, tags, face, 2, GetFourEightFarWeight, 1. / 2.); };
   Id face = topology.FindFace(static_cast<Id>(begin));
   const auto findNext = [&]
   {
@@ -348,7 +351,7 @@ void FourEightScheme<Id>::AppendCentres(
       [&](vtkIdType, Id* columns)
       {
         const Id first = findNext();
-        if (mesh.GetSize(face) != 4)
+        if (mesh.GetSize(face) != 4 || (hasOthers && !find(face).IsPlain()))
         {
           return false;
         }
@@ -359,8 +362,13 @@ void FourEightScheme<Id>::AppendCentres(
     if (row < end)
     {
       const Id first = findNext();
-      const Id size = mesh.GetSize(face++);
-      for (Id c = first; c < first + size; ++c)
+      const Id size = mesh.GetSize(face);
+      if (size == 4)
+      {
+        find(face).Append(rows);
+      }
+      ++face;
+      for (Id c = first; c < first + size && size != 4; ++c)
       {
         rows.Add(mesh.Vertices[c], 1. / size);
       }
@@ -372,9 +380,9 @@ void FourEightScheme<Id>::AppendCentres(
 }
 
 template <typename Id>
-std::unique_ptr<SurfaceScheme<Id>> MakeFourEightScheme()
+std::unique_ptr<SurfaceScheme<Id>> MakeFourEightScheme(bool modifiedBoundary)
 {
-  return std::make_unique<FourEightScheme<Id>>();
+  return std::make_unique<FourEightScheme<Id>>(modifiedBoundary);
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeFourEightScheme);

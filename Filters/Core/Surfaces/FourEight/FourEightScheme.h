@@ -25,7 +25,7 @@ namespace subdivision
 {
 
 template <typename Id>
-std::unique_ptr<SurfaceScheme<Id>> MakeFourEightScheme();
+std::unique_ptr<SurfaceScheme<Id>> MakeFourEightScheme(bool modifiedBoundary);
 
 }
 

@@ -31,15 +31,20 @@ public:
   };
 
   /// The star around a smooth vertex, by a walk that begins at a corner of it. False: not regular.
-  bool FindAround(const SurfaceLevel<Id>& level, Id corner)
+  /// With `modified`, the step must not make other centres beside curves in the faces beyond.
+  bool FindAround(const SurfaceLevel<Id>& level, Id corner, bool modified)
   {
     this->Wedges.clear();
     bool isRegular = true;
+    const auto isPlain = [&](const std::array<Id, 2>& vertices)
+    { return !MovesCentres(level, vertices[0]) && !MovesCentres(level, vertices[1]); };
     VisitCycle(level.Mesh, corner,
       [&](const FanStep<Id>& step)
       {
         isRegular = isRegular && this->Add(level, step) &&
-          IsRegularInside(level, this->Wedges.back().Ends[0]);
+          IsRegularInside(level, this->Wedges.back().Ends[0]) &&
+          (!modified ||
+            (isPlain(this->Wedges.back().Ahead) && isPlain(this->Wedges.back().Knights)));
       });
     return isRegular;
   }
@@ -58,6 +63,13 @@ public:
     }
     return isRegular && this->EndsOnCurve(level, ends.First, 0) &&
       this->EndsOnCurve(level, ends.Last, 1);
+  }
+
+  /// Whether the centres that the next step makes in the faces of a vertex may be no means.
+  static bool MovesCentres(const SurfaceLevel<Id>& level, Id vertex)
+  {
+    const VertexTag tag = level.Tags.Vertices[vertex];
+    return tag == VertexTag::Corner || (tag != VertexTag::Smooth && level.Step % 2 == 1);
   }
 
   std::vector<Wedge> Wedges; ///< in the order of the walk

@@ -177,6 +177,19 @@ public:
       : this->GetSides(corner).AtBegin;
   }
 
+  /// The corner of one end of a fixed edge in the child at this end, beside the edge. In even steps
+  /// corners 0 and 2 of a child are old vertices.
+  Id GetCornerAtEnd(Id fixed, Id vertex) const
+  {
+    if (!this->IsEven)
+    {
+      return this->GetStart(fixed) + (this->Mesh.Vertices[fixed] == vertex ? 0 : 1);
+    }
+    const Id half = this->GetHalf(fixed, vertex);
+    const Id place = half % 4;
+    return half - place + (place == 1 || place == 2 ? 2 : 0);
+  }
+
   /// The face of a centre and the fixed edge of a middle, by their running numbers.
   Id FindFace(Id centre) const
   {

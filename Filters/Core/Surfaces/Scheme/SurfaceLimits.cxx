@@ -77,6 +77,16 @@ void LimitFinder<Id>::AppendRowsOfNext(const SurfaceLevel<Id>& level,
 }
 
 template <typename Id>
+template <int Arity>
+const double* LimitFinder<Id>::GetSecondTangent(const double* first)
+{
+  constexpr std::size_t size = Arity == 3 ? 7 : 9;
+  return first == GetRegularMask<Arity, size>(LimitKind::Tangent1).data()
+    ? GetRegularMask<Arity, size>(LimitKind::Tangent2).data()
+    : nullptr;
+}
+
+template <typename Id>
 void LimitFinder<Id>::Append(Id vertex, LimitKind kind, RowBlock<Id>& rows)
 {
   switch (this->Tags.Vertices[vertex])
@@ -480,6 +490,7 @@ void LimitFinder<Id>::SetTransversalMask()
 SUBDIVISION_COMPILE(class LimitFinder);
 
 #define SUBDIVISION_LIMITS_OF_NEXT(Id, Arity)                                                      \
+  template const double* LimitFinder<Id>::GetSecondTangent<Arity>(const double*);                  \
   template void LimitFinder<Id>::AppendRowsOfNext<Arity>(const SurfaceLevel<Id>&,                  \
     const IrregularRows<Id>&, LoopWeights, LimitKind, vtkIdType, vtkIdType, RowBlock<Id>&)
 SUBDIVISION_LIMITS_OF_NEXT(int, 3);

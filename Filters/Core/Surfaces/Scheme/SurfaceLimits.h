@@ -42,6 +42,10 @@ public:
   static void AppendRowsOfNext(const SurfaceLevel<Id>& level, const IrregularRows<Id>& others,
     LoopWeights weights, LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows);
 
+  /// SurfaceScheme::GetSecondTangent, likewise.
+  template <int Arity>
+  static const double* GetSecondTangent(const double* first);
+
 private:
   void Append(Id vertex, LimitKind kind, RowBlock<Id>& rows);
   struct Star

@@ -98,19 +98,13 @@ struct SurfaceLevel
   bool HasCurves = true;
   int Step = 0; ///< steps since the control mesh; odd and even steps differ in some schemes
   /// If a step that halves edges made this level (PrimalRefinement.h): how many vertices the level
-  /// before had. Then come the edge points. Otherwise -1.
+  /// before had. Then come the edge points. In sqrt(3) how many the level had that was the first to
+  /// be refined: all others were made by steps. Otherwise -1.
   vtkIdType VerticesBefore = -1;
-  /// In sqrt(3): the first vertex that a step made; all vertices after it were made by steps too.
-  /// -1: it is not known.
-  vtkIdType FirstMade = -1;
   /// Prepare sets them: running counts, from which ids of children follow where arithmetic alone is
   /// not enough; in Butterfly the valences of smooth vertices.
   Buffer<Id> Places;
   std::shared_ptr<const DualPlaces<Id>> Dual; ///< the same for dual schemes
-  /// If a step of a dual scheme made this level: how many faces each vertex has, all of one fan;
-  /// negative if this is a chain, UnknownFan where it takes a walk.
-  Buffer<signed char> FanSizes;
-  static constexpr signed char UnknownFan = 127;
 };
 
 /// The order in which a level numbers its parts: from which parts of the control level they come.
@@ -250,6 +244,9 @@ public:
   /// there.
   virtual void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
     LimitKind kind, vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const = 0;
+  /// Where rows of the first tangent have these weights in common: the weights that rows of the
+  /// second one have in the same columns. Null: rows of the second tangent must be asked for.
+  virtual const double* GetSecondTangent(const double* /*first*/) const { return nullptr; }
 
   // The step from the next level where that level is not made (SkippedLevel.h): as the methods with
   // these names, but told from this level.

@@ -47,6 +47,22 @@ Buffer<unsigned char> FindTurnedFaces(const PolygonMesh<Id>& mesh)
     : Buffer<unsigned char>();
 }
 
+/// Whether each part has two sides: a Moebius strip has one.
+template <typename Id>
+bool IsOrientable(const PolygonMesh<Id>& mesh)
+{
+  const Buffer<unsigned char> turned = FindTurnedFaces(mesh);
+  const auto links = LinkFaces(mesh, [](Id) { return true; });
+  const auto areTurned = [&](vtkIdType a, vtkIdType b)
+  { return !turned.empty() && turned[a] != turned[b]; };
+  return !HaveContradictions(mesh.NumberOfFaces,
+    [&](vtkIdType face, const auto& visit)
+    {
+      links(face, [&](vtkIdType other, bool contradicts)
+        { visit(other, contradicts != areTurned(face, other)); });
+    });
+}
+
 /// The face whose orientation the tangents of a vertex have: the face of FindTangentCorner or, on a
 /// curve or at a corner, the first face of the sector of that face; -1 if there is none.
 template <typename Id>

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/SplitJoints.h"
+#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -25,8 +26,8 @@ public:
   {
     SurfaceLevel<Id> next;
     next.Step = this->Level.Step + 1;
-    next.FirstMade =
-      this->Level.FirstMade < 0 ? this->Mesh.NumberOfVertices : this->Level.FirstMade;
+    next.VerticesBefore =
+      this->Level.VerticesBefore < 0 ? this->Mesh.NumberOfVertices : this->Level.VerticesBefore;
     PolygonMesh<Id>& out = next.Mesh;
     out.Arity = 3;
     out.NumberOfVertices = this->Children.GetNumberOfVertices();
@@ -418,7 +419,10 @@ SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& t
         : v < centres                                   ? VertexTag::Smooth
                                                         : VertexTag::Curve;
     });
-  out.Sectors = tags.Sectors; // their corners are corners of the control level
+  out.Sectors = tags.Sectors;
+  MoveSectors(
+    level.Mesh, tags, [&](Id fixed, Id vertex) { return children.GetCornerAtEnd(fixed, vertex); },
+    out.Sectors);
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "Core/Surfaces/Scheme/CycleRows.h"
 #include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
+#include "Core/Surfaces/Scheme/TurnedSectors.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
@@ -24,7 +25,16 @@ template <typename Id>
 class SqrtThreeScheme : public SqrtThreeRefinement<Id>
 {
 public:
+  explicit SqrtThreeScheme(bool modifiedBoundary)
+    : ModifiedBoundary(modifiedBoundary)
+  {
+  }
+
   bool NeedsTriangles() const override { return true; }
+  double GetThirdEigenvalue(int k, double angle) const override
+  {
+    return this->ModifiedBoundary ? GetSqrtThreeThirdEigenvalue(k, angle) : 0.;
+  }
   FaceMemory GetFaceMemory() const override { return { 32., 0.5, 8., 38., 108., 132. }; }
   double CountFaces(double faces, double /*corners*/, int steps) const override
   {
@@ -44,30 +54,42 @@ public:
   }
   void AppendLimitRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, LimitKind kind,
     vtkIdType begin, vtkIdType end, RowBlock<Id>& rows) const override;
+  const double* GetSecondTangent(const double* first) const override
+  {
+    return first == SqrtThreeLimits[1].data() ? SqrtThreeLimits[2].data() : nullptr;
+  }
 
 private:
   using Topology = SqrtThreeTopology<Id>;
+  /// Whether the centres of the next step may have other rows than the plain one.
+  bool HasOtherCentres(const SurfaceLevel<Id>& level) const
+  {
+    return this->ModifiedBoundary && (!level.Places.empty() || !level.Tags.Sectors.empty());
+  }
+  /// On a level after an odd step at most one corner of a face is no centre, and may lie on a
+  /// curve.
+  CentreAtCurves<Id, 3> FindCentre(
+    const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id face) const
+  {
+    return { level, tags, face, 3, GetSqrtThreeFarWeight, 1. / 3. };
+  }
+  void AppendCentre(const SurfaceLevel<Id>& level, Id face, RowBlock<Id>& rows) const;
   void AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
     vtkIdType end, std::vector<Id>& edges, RowBlock<Id>& rows) const;
   void AppendSmooth(const SurfaceLevel<Id>& level, Id vertex, const std::vector<FanStep<Id>>& steps,
     RowBlock<Id>& rows) const;
+  bool NeedsNext(const SurfaceLevel<Id>& level, const std::vector<FanStep<Id>>& steps) const;
   void AppendThird(const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, Id edge, bool second,
     std::vector<Id>& edges, RowBlock<Id>& rows) const;
-  void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const;
-  void AppendSmoothTangent(
-    const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const;
-  void AppendAcross(const SurfaceLevel<Id>& level, Id vertex, double turn,
-    const std::vector<Id>& ring, RowBlock<Id>& rows) const;
-};
+  void AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex,
+    const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const;
+  void AppendSmoothTangent(const SurfaceLevel<Id>& level, const std::vector<FanStep<Id>>& steps,
+    LimitKind kind, RowBlock<Id>& rows) const;
+  void AppendAcross(const SurfaceLevel<Id>& level, Id vertex, const SectorEnds<Id>& ends,
+    double turn, const std::vector<Id>& ring, RowBlock<Id>& rows) const;
 
-template <typename Id>
-std::vector<FanStep<Id>> GetCycle(const PolygonMesh<Id>& mesh, Id vertex)
-{
-  std::vector<FanStep<Id>> steps;
-  VisitCycle(
-    mesh, mesh.VertexCorners[vertex], [&](const FanStep<Id>& step) { steps.push_back(step); });
-  return steps;
-}
+  const bool ModifiedBoundary;
+};
 
 /// Writes the neighbours of a vertex in the order of VisitCycle, if every other one of its six
 /// faces is `stride` corners after the one before, beginning with the face of `corner`. `at`: the
@@ -128,6 +150,37 @@ int CountFixedOpposites(const SurfaceLevel<Id>& level, const std::vector<FanStep
     [&](const FanStep<Id>& step) { return FindFixedOpposite(level, step) >= 0; }));
 }
 
+/// Appends the rows of vertices [begin, end). `mask`: of smooth vertices with six neighbours and no
+/// ghosts; other(v, steps) appends the entries of any other vertex, with the walk around it if it
+/// is smooth, and with `isInside` also where a neighbour is on a curve.
+template <typename Id, typename Other>
+void AppendSqrtThreeVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
+  const std::array<double, 7>& mask, bool isInside, vtkIdType begin, vtkIdType end,
+  const Other& other, RowBlock<Id>& rows)
+{
+  const auto isTaken = [&tags, isInside](Id v)
+  { return !isInside || tags.Vertices[v] == VertexTag::Smooth; };
+  AppendVertexRows(
+    level.Mesh, tags, mask, level.VerticesBefore, begin, end,
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps, Id* columns)
+    {
+      bool isRegular = steps.size() == 6;
+      *columns++ = vertex;
+      for (std::size_t k = 0; isRegular && k < 6; ++k)
+      {
+        *columns = GetNeighbour(level.Mesh, steps[k]);
+        isRegular = FindFixedOpposite(level, steps[k]) < 0 && isTaken(*columns++);
+      }
+      return isRegular;
+    },
+    [&](Id vertex, Id* columns)
+    {
+      return FindRingOfMade(level, vertex, columns) &&
+        std::all_of(columns + 1, columns + 7, isTaken);
+    },
+    other, rows);
+}
+
 template <typename Id>
 void SqrtThreeScheme<Id>::GetParents(
   const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
@@ -185,19 +238,31 @@ void SqrtThreeScheme<Id>::AppendRows(const SurfaceLevel<Id>& level, const Surfac
   std::vector<Id> edges;
   this->AppendVertices(level, tags, begin, std::min(end, vertices), edges, rows);
   vtkIdType row = std::max(begin, vertices);
-  if (row < std::min(end, thirds))
+  const vtkIdType endOfCentres = std::min(end, thirds);
+  const bool hasOthers = this->HasOtherCentres(level);
+  Id face = row < endOfCentres ? topology.FindFace(static_cast<Id>(row - vertices)) : 0;
+  while (row < endOfCentres)
   {
-    Id face = topology.FindFace(static_cast<Id>(row - vertices));
-    row += rows.AddRun(SqrtThreeCentre, std::min(end, thirds) - row,
+    row += rows.AddRun(SqrtThreeCentre, endOfCentres - row,
       [&](vtkIdType, Id* columns)
       {
         while (topology.GetCentre(face) < 0)
         {
           ++face;
         }
+        if (hasOthers && !this->FindCentre(level, tags, face).IsPlain())
+        {
+          return false;
+        }
         std::copy_n(mesh.Vertices.data() + 3 * face++, 3, columns);
         return true;
       });
+    if (row < endOfCentres)
+    {
+      this->FindCentre(level, tags, face++).Append(rows);
+      rows.EndRow();
+      ++row;
+    }
   }
   for (; row < end; ++row)
   {
@@ -211,9 +276,8 @@ template <typename Id>
 void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags,
   vtkIdType begin, vtkIdType end, std::vector<Id>& edges, RowBlock<Id>& rows) const
 {
-  using Steps = std::vector<FanStep<Id>>;
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const auto append = [&](Id vertex, const Steps& steps)
+  const auto append = [&](Id vertex, const std::vector<FanStep<Id>>& steps)
   {
     if (!steps.empty())
     {
@@ -228,21 +292,7 @@ void SqrtThreeScheme<Id>::AppendVertices(const SurfaceLevel<Id>& level, const Su
       rows.Add(vertex, 1.);
     }
   };
-  AppendVertexRows(
-    mesh, tags, SqrtThreeVertex, level.FirstMade, begin, end,
-    [&](Id vertex, const Steps& steps, Id* columns)
-    {
-      bool isRegular = steps.size() == 6;
-      *columns++ = vertex;
-      for (std::size_t k = 0; isRegular && k < 6; ++k)
-      {
-        *columns++ = GetNeighbour(mesh, steps[k]);
-        isRegular = FindFixedOpposite(level, steps[k]) < 0;
-      }
-      return isRegular;
-    },
-    [&level](Id vertex, Id* columns) { return FindRingOfMade(level, vertex, columns); }, append,
-    rows);
+  AppendSqrtThreeVertices(level, tags, SqrtThreeVertex, false, begin, end, append, rows);
 }
 
 /// Appends the row of a smooth vertex p. In even steps it has a ghost neighbour a + b - p beyond
@@ -309,47 +359,75 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
   RowBlock<Id>& rows) const
 {
   std::vector<Id> edges;
-  for (vtkIdType v = begin; v < end; ++v)
+  const bool isPosition = kind == LimitKind::Position;
+  AppendSqrtThreeVertices(
+    level, tags, SqrtThreeLimits[static_cast<std::size_t>(kind)], this->HasOtherCentres(level),
+    begin, end,
+    [&](Id vertex, const std::vector<FanStep<Id>>& steps)
+    {
+      if (!steps.empty())
+      {
+        isPosition ? this->AppendSmoothPosition(level, vertex, steps, rows)
+                   : this->AppendSmoothTangent(level, steps, kind, rows);
+      }
+      else if (isPosition)
+      {
+        AppendCurveVertex(level.Mesh, tags, vertex, 2. / 3., edges, rows);
+      }
+      else
+      {
+        AppendSectorTangent(level, tags, vertex, kind, edges, rows,
+          [&](const SectorEnds<Id>& ends, double turn)
+          { this->AppendAcross(level, vertex, ends, turn, edges, rows); });
+      }
+    },
+    rows);
+}
+
+/// Whether a limit row of a smooth vertex is that of the ring after the next step.
+template <typename Id>
+bool SqrtThreeScheme<Id>::NeedsNext(
+  const SurfaceLevel<Id>& level, const std::vector<FanStep<Id>>& steps) const
+{
+  return std::any_of(steps.begin(), steps.end(),
+    [&](const FanStep<Id>& step)
+    {
+      return FindFixedOpposite(level, step) >= 0 ||
+        (this->HasOtherCentres(level) &&
+          !this->FindCentre(level, level.Tags, step.Corner / 3).IsPlain());
+    });
+}
+
+/// Appends the entries of the centre of a face, which is not cut, in a limit.
+template <typename Id>
+void SqrtThreeScheme<Id>::AppendCentre(
+  const SurfaceLevel<Id>& level, Id face, RowBlock<Id>& rows) const
+{
+  if (this->HasOtherCentres(level))
   {
-    const Id vertex = static_cast<Id>(v);
-    const bool isSmooth = tags.Vertices[v] == VertexTag::Smooth;
-    const bool isPosition = kind == LimitKind::Position;
-    if (isPosition && isSmooth)
-    {
-      this->AppendSmoothPosition(level, vertex, rows);
-    }
-    else if (isPosition)
-    {
-      AppendCurveVertex(level.Mesh, tags, vertex, 2. / 3., edges, rows);
-    }
-    else if (isSmooth)
-    {
-      this->AppendSmoothTangent(level, vertex, kind, rows);
-    }
-    else
-    {
-      AppendSectorTangent(level, tags, vertex, kind, edges, rows,
-        [&](const SectorEnds<Id>&, double turn)
-        { this->AppendAcross(level, vertex, turn, edges, rows); });
-    }
-    rows.EndRow();
+    this->FindCentre(level, level.Tags, face).Append(rows);
+    return;
+  }
+  for (Id c = 3 * face; c < 3 * face + 3; ++c)
+  {
+    rows.Add(level.Mesh.Vertices[c], 1. / 3.);
   }
 }
 
 /// Appends the limit (1 - b) p + b mean(ring) (Kobbelt, eq. 7). Before an even step, a vertex p
 /// opposite to a fixed edge has no such ring, but after the step it has: there the two points on
-/// the fixed edge replace the centre of the face.
+/// the fixed edge replace the centre of the face. So it is where the step makes centres around p by
+/// the modified rule.
 template <typename Id>
-void SqrtThreeScheme<Id>::AppendSmoothPosition(
-  const SurfaceLevel<Id>& level, Id vertex, RowBlock<Id>& rows) const
+void SqrtThreeScheme<Id>::AppendSmoothPosition(const SurfaceLevel<Id>& level, Id vertex,
+  const std::vector<FanStep<Id>>& steps, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const std::vector<FanStep<Id>> steps = GetCycle(mesh, vertex);
   const int n = static_cast<int>(steps.size());
   const int ghosts = CountFixedOpposites(level, steps);
   const double a = GetSqrtThreeRingWeight(n + ghosts);
   const double b = 3. * a / (1. + 3. * a);
-  if (ghosts == 0)
+  if (!this->NeedsNext(level, steps))
   {
     rows.Add(vertex, 1. - b);
     for (const FanStep<Id>& step : steps)
@@ -373,10 +451,8 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
     const Id opposite = FindFixedOpposite(level, step);
     if (opposite < 0)
     {
-      for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
-      {
-        rows.Add(mesh.Vertices[c], ring / 3.);
-      }
+      this->AppendCentre(level, step.Corner / 3, next);
+      addNext(ring);
       continue;
     }
     for (const bool second : { false, true })
@@ -389,15 +465,15 @@ void SqrtThreeScheme<Id>::AppendSmoothPosition(
 
 /// Appends a tangent: the sum over the ring with the weights cos or sin of the angle. A step turns
 /// the ring by half a triangle, which does not change the plane of both tangents. For a vertex
-/// opposite to a fixed edge the ring after the next step is taken, as for the position.
+/// for which NeedsNext holds the ring after the next step is taken, as for the position.
 template <typename Id>
-void SqrtThreeScheme<Id>::AppendSmoothTangent(
-  const SurfaceLevel<Id>& level, Id vertex, LimitKind kind, RowBlock<Id>& rows) const
+void SqrtThreeScheme<Id>::AppendSmoothTangent(const SurfaceLevel<Id>& level,
+  const std::vector<FanStep<Id>>& steps, LimitKind kind, RowBlock<Id>& rows) const
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
-  const std::vector<FanStep<Id>> steps = GetCycle(mesh, vertex);
   const int n = static_cast<int>(steps.size());
   const int ghosts = CountFixedOpposites(level, steps);
+  const bool isNext = this->NeedsNext(level, steps);
   int j = 0;
   auto getNext = [&]
   {
@@ -405,49 +481,72 @@ void SqrtThreeScheme<Id>::AppendSmoothTangent(
     return kind == LimitKind::Tangent1 ? std::cos(angle) : std::sin(angle);
   };
   std::vector<Id> edges;
-  RowBlock<Id> third;
+  RowBlock<Id> made;
   for (const FanStep<Id>& step : steps)
   {
     const Id first = GetNeighbour(mesh, step);
     const Id opposite = FindFixedOpposite(level, step);
-    if (ghosts == 0)
+    if (!isNext)
     {
       rows.Add(first, getNext());
     }
     else if (opposite < 0)
     {
-      const double weight = getNext() / 3.;
-      for (Id c : { step.Corner, mesh.Next(step.Corner), mesh.Previous(step.Corner) })
-      {
-        rows.Add(mesh.Vertices[c], weight);
-      }
+      made.Clear();
+      this->AppendCentre(level, step.Corner / 3, made);
+      AddTimes(made, getNext(), rows);
     }
     for (int end = 0; end < 2 && opposite >= 0; ++end)
     {
       const Id edge = mesh.Edges[opposite];
       const bool isFirst = mesh.EdgeVertices[2 * edge] == first;
-      third.Clear();
-      this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, third);
-      AddTimes(third, getNext(), rows);
+      made.Clear();
+      this->AppendThird(mesh, level.Tags, edge, isFirst == (end == 1), edges, made);
+      AddTimes(made, getNext(), rows);
     }
   }
 }
 
 /// Appends the tangent across a curve in a sector, times `turn`. `ring`: the other ends of its
-/// edges.
+/// edges. Before an odd step that makes a centre of the sector by the rule of a corner, the ring
+/// after the step is taken, as for smooth vertices.
 template <typename Id>
-void SqrtThreeScheme<Id>::AppendAcross(const SurfaceLevel<Id>& level, Id vertex, double turn,
-  const std::vector<Id>& ring, RowBlock<Id>& rows) const
+void SqrtThreeScheme<Id>::AppendAcross(const SurfaceLevel<Id>& level, Id vertex,
+  const SectorEnds<Id>& ends, double turn, const std::vector<Id>& ring, RowBlock<Id>& rows) const
 {
+  std::vector<FanStep<Id>> steps;
+  for (FanStep<Id> step = ends.First; static_cast<int>(steps.size()) < ends.Size;)
+  {
+    steps.push_back(step);
+    step.Advance(level.Mesh);
+  }
   const int size = static_cast<int>(ring.size()) - 1;
-  SqrtThreeTransversalMask mask(level.Step % 2 == 0 ? size : size - 1);
-  if (level.Step % 2 == 1)
+  const int faces = level.Step % 2 == 0 ? size : size - 1;
+  SqrtThreeTransversalMask mask(
+    faces, GetSqrtThreeFarWeight(this->ModifiedBoundary && faces != 3 ? Pi / faces : 0.));
+  const bool isNext = level.Step % 2 == 0 && faces > 1 && this->NeedsNext(level, steps);
+  if (isNext)
+  {
+    turn /= mask.Eigenvalue;
+  }
+  if (isNext || level.Step % 2 == 1)
   {
     mask.MakeOdd();
   }
   rows.Add(vertex, turn * mask.Own);
   rows.Add(ring.front(), turn * mask.End);
   rows.Add(ring.back(), turn * mask.End);
+  if (isNext)
+  {
+    RowBlock<Id> made;
+    for (std::size_t j = 0; j < steps.size(); ++j)
+    {
+      made.Clear();
+      this->AppendCentre(level, steps[j].Corner / 3, made);
+      AddTimes(made, turn * mask.Inside[j + 1], rows);
+    }
+    return;
+  }
   for (std::size_t j = 1; j + 1 < ring.size(); ++j)
   {
     rows.Add(ring[j], turn * mask.Inside[j]);
@@ -457,9 +556,9 @@ void SqrtThreeScheme<Id>::AppendAcross(const SurfaceLevel<Id>& level, Id vertex,
 }
 
 template <typename Id>
-std::unique_ptr<SurfaceScheme<Id>> MakeSqrtThreeScheme()
+std::unique_ptr<SurfaceScheme<Id>> MakeSqrtThreeScheme(bool modifiedBoundary)
 {
-  return std::make_unique<SqrtThreeScheme<Id>>();
+  return std::make_unique<SqrtThreeScheme<Id>>(modifiedBoundary);
 }
 
 SUBDIVISION_COMPILE_FUNCTION(MakeSqrtThreeScheme);

@@ -165,6 +165,19 @@ public:
   Id GetOuterSideAtBegin(Id cut) const { return this->GetSideAtEnd(this->Mesh.Previous(cut)); }
   Id GetOuterSideAtEnd(Id cut) const { return this->GetSideAtBegin(this->Mesh.Next(cut)); }
 
+  /// The corner of one end of a fixed edge in the child at this end, beside the edge. A child at
+  /// the outer third of a cut edge begins with that vertex.
+  Id GetCornerAtEnd(Id fixed, Id vertex) const
+  {
+    const bool isBegin = this->Mesh.Vertices[fixed] == vertex;
+    if (!this->IsEven)
+    {
+      return 3 * fixed + (isBegin ? 0 : 1);
+    }
+    const Id side = isBegin ? this->GetOuterSideAtBegin(fixed) : this->GetOuterSideAtEnd(fixed);
+    return side - side % 3;
+  }
+
   /// A half-edge of the next level at the vertex of a corner, in the same fan: to the apex across
   /// the corner's edge or, if this edge is cut, to the point on it.
   Id GetSideOfCorner(Id corner) const

@@ -27,9 +27,9 @@ std::shared_ptr<const SurfaceScheme<Id>> MakeSurfaceScheme(
     case SurfaceSchemeKind::ModifiedButterfly:
       return MakeButterflyScheme<Id>();
     case SurfaceSchemeKind::FourEight:
-      return MakeFourEightScheme<Id>();
+      return MakeFourEightScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::SqrtThree:
-      return MakeSqrtThreeScheme<Id>();
+      return MakeSqrtThreeScheme<Id>(modifiedBoundary);
     case SurfaceSchemeKind::DooSabin:
       return MakeDooSabinScheme<Id>();
     case SurfaceSchemeKind::Midedge:

@@ -3,7 +3,7 @@
 #include "LimitTools.h"
 #include "PointTools.h"
 
-#include "Core/Solids/Limits/LimitNormals.h"
+#include "Core/Solids/Limits/Skin.h"
 
 using namespace coretest;
 using namespace point_tools;
@@ -195,6 +195,46 @@ TEST(LimitNormals, AreThoseOfTheTangents)
   }
   EXPECT_GT(ofSectors, 500);
   EXPECT_GT(ofCurves, 50);
+}
+
+/// The same bits from a skin that is refined alone, and zero at all other vertices.
+TEST(LimitNormals, OfSkinsAreThoseOfTheWhole)
+{
+  int closed = 0;
+  int left = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (const char* options : OptionNames)
+    {
+      SCOPED_TRACE(mesh.Name + " " + options);
+      Subdivided<int> level = BuildNamed<int>(mesh, options);
+      const std::vector<double> control = MakeValues(3 * level.Level.Complex.NumberOfVertices, 5);
+      const std::vector<vtkIdType> inverted = FindInverted(level.Level, control);
+      const Buffer<unsigned char> turned = FindTriangleSides(level.Level).ListTurned();
+      SkinTangents<int> tangents;
+      const bool isClosed = BuildSkinTangents(level.Level, {}, 2, tangents);
+      EXPECT_TRUE(isClosed || level.Level.Complex.NumberOfTets > 0);
+      if (!isClosed)
+      {
+        continue;
+      }
+      ++closed;
+      level = RefineOnce(RefineOnce(level));
+      const vtkIdType size = level.Level.Complex.NumberOfVertices;
+      const std::vector<double> points = MakeValues(3 * size, 6);
+      std::vector<double> whole(points.size());
+      ComputeLimitNormals(BuildLimitTangents(level.Level, {}, { {}, 2 }), points.data(), inverted,
+        turned, whole.data());
+      const Buffer<double> normals = tangents.ComputeNormals(points.data(), size, inverted, turned);
+      for (std::size_t i = 0; i < whole.size(); ++i)
+      {
+        ASSERT_EQ(normals[i], whole[i]) << i;
+      }
+      left += tangents.Vertices.size() < size;
+    }
+  }
+  EXPECT_GT(closed, 100);
+  EXPECT_GT(left, 20);
 }
 
 TEST(LimitNormals, TangentsRunAlongTheLines)

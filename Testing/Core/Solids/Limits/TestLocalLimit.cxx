@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits of some vertices of the uniform refinement against the uniform refinement itself.
+#include "LimitByLevels.h"
 #include "LimitTools.h"
 #include "TetOctTools.h"
 
@@ -92,20 +93,25 @@ std::vector<std::vector<double>> SubdivideValues(
   return all;
 }
 
-void ExpectUniformLimits(const Asked& asked, const LocalLimit<int>& local,
-  const std::vector<double>& values, const std::vector<double>& uniform)
+template <typename Limit>
+void ExpectUniformLimits(const Asked& asked, const Limit& limit, const std::vector<double>& values,
+  const std::vector<double>& uniform)
 {
-  ASSERT_EQ(local.GetNumberOfRows(), static_cast<vtkIdType>(asked.Uniform.size()));
-  std::vector<double> limits(2 * asked.Uniform.size());
-  local.Apply(values.data(), limits.data(), 2);
-  const SparseRows<int> rows = BuildRows(local);
+  const SparseRows<int> rows = BuildRows(limit);
+  ASSERT_EQ(rows.GetNumberOfRows(), static_cast<vtkIdType>(asked.Uniform.size()));
   ASSERT_EQ(rows.GetNumberOfColumns(), static_cast<vtkIdType>(values.size() / 2));
   const std::vector<double> byRows = ApplyTo(rows, values, 2);
-  for (std::size_t i = 0; i < limits.size(); ++i)
+  for (std::size_t i = 0; i < byRows.size(); ++i)
   {
-    const double expected = uniform[2 * asked.Uniform[i / 2] + i % 2];
-    ASSERT_NEAR(limits[i], expected, 1e-13) << "vertex " << i / 2;
-    ASSERT_NEAR(byRows[i], expected, 1e-13) << "vertex " << i / 2;
+    ASSERT_NEAR(byRows[i], uniform[2 * asked.Uniform[i / 2] + i % 2], 1e-13) << "vertex " << i / 2;
+  }
+  if constexpr (std::is_same<Limit, LocalLimit<int>>::value)
+  {
+    const std::vector<double> limits = ApplyTo(limit, values, 2);
+    for (std::size_t i = 0; i < limits.size(); ++i)
+    {
+      ASSERT_NEAR(limits[i], byRows[i], 1e-13) << "vertex " << i / 2;
+    }
   }
 }
 
@@ -143,17 +149,97 @@ void ExpectUniformLimitsOfTheZoo()
       const auto uniform = ApplyTo(BuildLimitRows(levels.back()), all.back(), 2);
       const unsigned int rarely = 1 + random() % 6;
       const Asked asked = Ask(levels, [&](int, int) { return random() % rarely == 0; });
+      ExpectUniformLimits(asked, LocalLimit<int>(levels[0], {}, asked.Ends), values, uniform);
       for (int rings = 0; rings < 2; ++rings) // without a ring, solids have to try again
       {
-        const LocalLimit<int> local(levels[0], {}, asked.Ends, {}, rings);
-        ExpectUniformLimits(asked, local, values, uniform);
-        if (testing::Test::HasFatalFailure())
-        {
-          return;
-        }
+        const LimitByLevels<LevelType> byLevels(levels[0], {}, asked.Ends, rings);
+        ExpectUniformLimits(asked, byLevels, values, uniform);
+      }
+      if (testing::Test::HasFatalFailure())
+      {
+        return;
       }
     }
   }
+}
+
+/// Values on the levels of a mesh, and what is semi-sharp there.
+template <typename LevelType>
+struct NormalLevels
+{
+  std::vector<LevelType> Levels;
+  std::vector<SemiSharpStages<int>> Creases;
+  std::vector<std::vector<double>> Points;
+};
+
+/// The normals of all vertices on the level on which they first exist, against those of whole
+/// levels. Some solids are inverted, and some triangles turned. How many are not zero.
+template <typename LevelType>
+int ExpectUniformNormals(const NormalLevels<LevelType>& mesh, unsigned int seed)
+{
+  constexpr double tolerance = 1e-11; // of unit vectors; some sectors by chance are nearly flat
+  std::mt19937 random(seed);
+  const auto& control = mesh.Levels[0].Complex;
+  Buffer<unsigned char> turned(control.NumberOfTriangleCells);
+  std::generate(turned.begin(), turned.end(), [&random]() { return random() % 2; });
+  std::vector<vtkIdType> inverted;
+  for (vtkIdType tet = 0; tet < control.NumberOfTets; tet += 1 + random() % 4)
+  {
+    inverted.push_back(2 * tet);
+  }
+  const Asked asked = Ask(mesh.Levels, [](int, int) { return true; });
+  const ControlSolids solids;
+  const LocalLimit<int> limit(mesh.Levels[0], mesh.Creases[0], asked.Ends, &solids);
+  std::vector<double> normals(3 * asked.Uniform.size(), 7.);
+  limit.ComputeNormals(mesh.Points[0].data(), inverted, turned, normals.data());
+  int found = 0;
+  for (int l = 0, first = 0; l < static_cast<int>(mesh.Levels.size()); ++l)
+  {
+    const auto tangents = BuildLimitTangents(mesh.Levels[l], mesh.Creases[l], { {}, l });
+    std::vector<double> expected(mesh.Points[l].size());
+    ComputeLimitNormals(tangents, mesh.Points[l].data(), inverted, turned, expected.data());
+    for (const int size = mesh.Levels[l].Complex.NumberOfVertices; first < size; ++first)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        const double own = normals[3 * first + c];
+        found += own != 0. ? 1 : 0;
+        EXPECT_EQ(asked.Uniform[first], first);
+        EXPECT_NEAR(own, expected[3 * first + c], tolerance) << "level " << l << " " << first;
+      }
+    }
+  }
+  return found;
+}
+
+template <typename LevelType>
+void ExpectUniformNormalsOfTheZoo()
+{
+  int found = 0;
+  std::size_t option = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    for (int k = 0; k < 4; ++k) // of the options, in turn
+    {
+      const std::string options = OptionNames[option++ % std::size(OptionNames)];
+      SCOPED_TRACE(mesh.Name + " " + options);
+      NormalLevels<LevelType> levels;
+      const int steps = mesh.Cells.GetNumberOfSimplices() > 30 ? 1 : 2;
+      levels.Levels = MakeLevels<LevelType>(mesh, options, steps);
+      levels.Creases.resize(levels.Levels.size());
+      levels.Points = { MakeValues(3 * levels.Levels[0].Complex.NumberOfVertices, 3) };
+      for (int l = 0; l < steps; ++l)
+      {
+        levels.Points.push_back(ApplyTo(CopyStencils(levels.Levels[l]), levels.Points.back(), 3));
+      }
+      found += ExpectUniformNormals(levels, 5);
+      if (testing::Test::HasFailure())
+      {
+        return;
+      }
+    }
+  }
+  EXPECT_GT(found, 10000);
 }
 
 /// Twelve steps of nothing but the cells at a vertex: its value comes to its limit, and what the
@@ -209,6 +295,42 @@ TEST(LocalLimit, EqualsTheUniformRefinementOfTheTetOctScheme)
   ExpectUniformLimitsOfTheZoo<TetOctLevel<int>>();
 }
 
+TEST(LocalLimit, NormalsEqualThoseOfTheUniformRefinement)
+{
+  ExpectUniformNormalsOfTheZoo<Level<int>>();
+}
+
+TEST(LocalLimit, NormalsEqualThoseOfTheTetOctScheme)
+{
+  ExpectUniformNormalsOfTheZoo<TetOctLevel<int>>();
+}
+
+TEST(LocalLimit, NormalsAtSemiSharpCreases)
+{
+  unsigned int seed = 0;
+  for (const Mesh& mesh : MakeZooAndRandom())
+  {
+    ++seed;
+    const char* options = OptionNames[seed % std::size(OptionNames)];
+    SCOPED_TRACE(mesh.Name + " " + options);
+    const SemiSharpMesh semi(mesh, options, seed);
+    NormalLevels<Level<int>> levels;
+    levels.Points = { MakeValues(3 * mesh.Cells.NumberOfPoints, 3) };
+    const int steps = mesh.Cells.GetNumberOfSimplices() > 30 ? 1 : 2;
+    for (int l = 0; l <= steps; ++l)
+    {
+      levels.Levels.push_back(semi.MakeSmoothLevel(l));
+      levels.Creases.push_back(semi.MakeStages(l));
+      levels.Points.push_back(ApplyTo(semi.MakeStencils(l), levels.Points.back(), 3));
+    }
+    ExpectUniformNormals(levels, seed);
+    if (testing::Test::HasFailure())
+    {
+      return;
+    }
+  }
+}
+
 /// Red-green refinement with every cell marked, level by level, is the uniform refinement.
 TEST(LocalLimit, RedGreenRefinementOfEverything)
 {
@@ -254,35 +376,6 @@ TEST(LocalLimit, RedGreenRefinementOfEverything)
   }
 }
 
-TEST(LocalLimit, OnlyWhatIsWanted)
-{
-  const auto levels = MakeLevels(FindInZoo("KuhnLattice"), "Blend", 2);
-  const std::vector<double> values = MakeValues(levels[0].Complex.NumberOfVertices, 3);
-  const Asked asked = Ask(levels, [](int, int edge) { return edge % 2 == 0; });
-  const LocalLimit<int> all(levels[0], {}, asked.Ends);
-  const vtkIdType size = all.GetNumberOfRows();
-  std::vector<double> expected(size);
-  all.Apply(values.data(), expected.data(), 1);
-  Buffer<unsigned char> wanted(size, 0);
-  for (vtkIdType i = 0; i < size; i += 7)
-  {
-    wanted[i] = 1;
-  }
-  const LocalLimit<int> some(levels[0], {}, asked.Ends, wanted);
-  std::vector<double> limits(size, -7.);
-  some.Apply(values.data(), limits.data(), 1);
-  const SparseRows<int> rows = BuildRows(some);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    EXPECT_EQ(limits[i], i % 7 == 0 ? expected[i] : -7.) << i;
-    EXPECT_EQ(rows.Offsets[i + 1] > rows.Offsets[i], i % 7 == 0) << i;
-  }
-  // Nothing at all but one vertex of the control mesh.
-  Buffer<unsigned char> one(size, 0);
-  one[13] = 1;
-  EXPECT_LT(CountSupportValues(LocalLimit<int>(levels[0], {}, asked.Ends, one)), 16);
-}
-
 TEST(LocalLimit, SemiSharpCreases)
 {
   std::mt19937 random(6);
@@ -302,14 +395,16 @@ TEST(LocalLimit, SemiSharpCreases)
     }
     uniform = ApplyTo(BuildLimitRows(levels[2], semi.MakeStages(2)), uniform, 2);
     const Asked asked = Ask(levels, [&](int, int) { return random() % 3 > 0; });
-    const LocalLimit<int> local(levels[0], semi.MakeStages(0), asked.Ends);
-    ExpectUniformLimits(asked, local, values, uniform);
+    const SemiSharpStages<int> creases = semi.MakeStages(0);
+    ExpectUniformLimits(asked, LocalLimit<int>(levels[0], creases, asked.Ends), values, uniform);
+    ExpectUniformLimits(
+      asked, LimitByLevels<Level<int>>(levels[0], creases, asked.Ends), values, uniform);
   }
 }
 
 /// Creases meet in the middle of a disk, some sharp for one step. The limit at the middle of an
-/// edge opposite reads edges that end where they meet, whose rows depend on all of the creases: too
-/// small a part must be found out.
+/// edge opposite reads edges that end where they meet, whose rows depend on all of the creases; by
+/// levels too small a part must be found out.
 TEST(LocalLimit, SectorsAtSemiSharpCreasesBeyondThePart)
 {
   struct Case
@@ -354,12 +449,10 @@ TEST(LocalLimit, SectorsAtSemiSharpCreasesBeyondThePart)
       creases.Sharpness[FindEdge(smooth.Complex, 0, end)] = lasts ? 0. : 1.;
     }
     creases.Stages.push_back({ 1, std::move(build(one.All).Strata) });
-    Buffer<unsigned char> wanted(points + 1, 0);
-    wanted[points] = 1;
     const std::vector<double> values = MakeValues(points, 3);
-    std::vector<double> limits(points + 1);
-    LocalLimit<int>(smooth, creases, { { 5, 6 } }, wanted, 0)
-      .Apply(values.data(), limits.data(), 1);
+    const auto limits = ApplyTo(LocalLimit<int>(smooth, creases, { { 5, 6 } }), values, 1);
+    const auto byLevels =
+      ApplyTo(BuildRows(LimitByLevels<Level<int>>(smooth, creases, { { 5, 6 } }, 0)), values, 1);
     const int middle = points + FindEdge(smooth.Complex, 5, 6);
     const Level<int> next = Refine(smooth, Depth::ForRefinement);
     const auto rows = creases.ListParts(smooth.Complex).GetRows();
@@ -368,6 +461,7 @@ TEST(LocalLimit, SectorsAtSemiSharpCreasesBeyondThePart)
     BlendSemiSharp(rows, TakeStencils(sharp), stencils);
     const auto uniform = ApplyTo(BuildLimitRows(next), ApplyTo(stencils, values, 1), 1);
     EXPECT_NEAR(limits.back(), uniform[middle], 1e-13);
+    EXPECT_NEAR(byLevels.back(), uniform[middle], 1e-13);
   }
 }
 
@@ -440,18 +534,6 @@ TEST(LocalLimit, CostsWhatIsAskedFor)
   }
   const LocalLimit<int> local(control.Level, {}, ends);
   EXPECT_LT(CountSupportValues(local), complex.NumberOfVertices + 10 * 200);
-}
-
-TEST(LocalLimit, EdgesThatDoNotExist)
-{
-  const auto control = Build<int>(FindInZoo("OpenPolyline").Cells);
-  using Ends = std::vector<std::array<int, 2>>;
-  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 2 } }), std::invalid_argument);
-  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 5 } }), std::invalid_argument);
-  EXPECT_THROW(LocalLimit<int>(control.Level, {}, Ends{ { -1, 1 } }), std::invalid_argument);
-  EXPECT_THROW(
-    LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 2 } }), std::invalid_argument);
-  EXPECT_NO_THROW(LocalLimit<int>(control.Level, {}, Ends{ { 0, 1 }, { 5, 0 }, { 1, 0 } }));
 }
 
 /// A vertex does not move its limit when it is taken on later levels.

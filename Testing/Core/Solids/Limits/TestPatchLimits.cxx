@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Limits over edges and faces of a level by trees of patches, and by values on a lattice, against
-// LocalLimit.
+// LimitByLevels.
+#include "LatticeNames.h"
+#include "LimitByLevels.h"
 #include "LimitTools.h"
 
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
-#include "Core/Solids/Limits/LatticeNames.h"
 #include "Core/Solids/Limits/LatticePlaces.h"
 #include "Core/Solids/Limits/LatticeValues.h"
-#include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/PatchTree.h"
 
 using namespace coretest;
@@ -88,7 +88,8 @@ private:
   std::vector<double> FindExpected(const std::vector<double>& values) const
   {
     return ApplyTo(
-      LocalLimit<int>(this->Control, {}, this->Names.GetMidpoints()), values, this->Components);
+      BuildRows(LimitByLevels<Level<int>>(this->Control, {}, this->Names.GetMidpoints())), values,
+      this->Components);
   }
 
   struct Place
@@ -186,7 +187,7 @@ void ExpectSomeKnownInZoo(const Compare& compare)
 
 }
 
-TEST(PatchLimits, EqualLocalLimitsOnTheWholeZoo)
+TEST(PatchLimits, EqualLimitsByLevelsOnTheWholeZoo)
 {
   ExpectSomeKnownInZoo([](PatchCase& which) { which.Compare(); });
 }
@@ -209,7 +210,7 @@ TEST(PatchLimits, HaveNoNumberWhereThereIsNone)
   EXPECT_TRUE(std::isnan(limit));
 }
 
-TEST(LatticeValues, EqualLocalLimitsOnTheWholeZoo)
+TEST(LatticeValues, EqualLimitsByLevelsOnTheWholeZoo)
 {
   unsigned int seed = 1;
   ForCasesInZoo([&](PatchCase& which) { which.CompareOnLattice(++seed % 3 == 0 ? 50 : 100000); });

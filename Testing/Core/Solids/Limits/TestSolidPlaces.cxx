@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Rows of places in solids: against limits of far smaller parts around the place, which LocalLimit
-// finds by refining, and against what polynomials of the lattice must have.
+// Rows of places in solids: against limits of far smaller parts around the place, which
+// LimitByLevels finds by refining, and against what polynomials of the lattice must have.
+#include "LatticeNames.h"
+#include "LimitByLevels.h"
 #include "LimitTools.h"
 #include "TetOctTools.h"
 #include "Turns.h"
 
 #include "Core/Solids/Limits/BoxSplinePatch.h"
-#include "Core/Solids/Limits/LatticeNames.h"
-#include "Core/Solids/Limits/LocalLimit.h"
 #include "Core/Solids/Limits/SolidPlaces.h"
 
 using namespace tetoct_tools;
@@ -82,7 +82,8 @@ std::vector<DenseRow> FindBySplits(const Level<int>& level,
       nodes.back().push_back(FindNode(corners, node, names));
     }
   }
-  const SparseRows<int> limits = BuildRows(LocalLimit<int>(level, creases, names.GetMidpoints()));
+  const SparseRows<int> limits =
+    BuildRows(LimitByLevels<Level<int>>(level, creases, names.GetMidpoints()));
   std::vector<DenseRow> rows(places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
   {

@@ -112,7 +112,7 @@ double SumUp(const FourEightWave& wave, const Star& star, double first, double d
 
 /// The star of a sector after two steps, the first of which leaves the curve alone. Neighbours 0
 /// and k are on the curve, with the next points of it ahead.
-Star StepTwiceBesideCurve(const Star& old)
+Star StepTwiceBesideCurve(const Star& old, double far)
 {
   const int k = old.GetSize() - 1; // faces; the last one of the star is not used
   const Star odd = Step(old);      // points of faces, corners, and knights that are inside
@@ -139,7 +139,7 @@ Star StepTwiceBesideCurve(const Star& old)
   {
     if (j > 0)
     {
-      made.Edges[j] = (old.Own + centres[j - 1] + centres[j] + ends[j]) / 4.;
+      made.Edges[j] = (1. - 3. * far) * old.Own + far * (centres[j - 1] + centres[j] + ends[j]);
       made.Ahead[j] =
         ends[j] / 2. + (centres[j - 1] + centres[j] + beyond[1][j - 1] + beyond[0][j]) / 8.;
     }
@@ -229,14 +229,17 @@ TEST(FourEightMasks, AStepMultipliesTangentsByTheEigenvalue)
 
 TEST(FourEightMasks, TwoStepsMultiplyTheTangentAcrossACurve)
 {
-  for (int k = 2; k <= 12; ++k)
+  for (int test = 4; test < 26; ++test)
   {
-    SCOPED_TRACE(k);
-    const FourEightCurveMask mask(k);
-    EXPECT_EQ(mask.Inside.Value, FourEightWave(Pi / k).Value);
+    const int k = test / 2;
+    const bool modified = test % 2 == 1;
+    SCOPED_TRACE(test);
+    const FourEightCurveMask mask(k, modified);
+    EXPECT_NEAR(mask.Inside.Value, modified ? std::sqrt(0.5) : FourEightWave(Pi / k).Value, 1e-14);
+    const double far = modified ? GetFourEightFarWeight(Pi / k) : 1. / 4.;
     const Star star = DrawStar(k + 1);
     const double value = mask.Inside.Value * mask.Inside.Value;
-    EXPECT_NEAR(SumUp(mask, StepTwiceBesideCurve(star)), value * SumUp(mask, star), 1e-13 * k);
+    EXPECT_NEAR(SumUp(mask, StepTwiceBesideCurve(star, far)), value * SumUp(mask, star), 1e-13 * k);
     Star constant(k + 1);
     constant.Own = 1.;
     for (std::vector<double>* values : { &constant.Edges, &constant.Faces, &constant.Ahead,
@@ -245,5 +248,25 @@ TEST(FourEightMasks, TwoStepsMultiplyTheTangentAcrossACurve)
       std::fill(values->begin(), values->end(), 1.);
     }
     EXPECT_NEAR(SumUp(mask, constant), 0., 1e-13 * k);
+  }
+}
+
+/// The weight beside curves is made for the eigenvalue 1/2 of two steps. At convex corners waves of
+/// the sector then shrink faster, at concave ones they need flatness.
+TEST(FourEightMasks, SectorsOfCorners)
+{
+  EXPECT_NEAR(GetFourEightFarWeight(Pi / 2.), 1. / 4., 1e-15); // the plain rule
+  for (const double alpha : { Pi / 8., Pi / 2., 7. / 8. * Pi, Pi, 9. / 8. * Pi, 15. / 8. * Pi })
+  {
+    for (int k = 2; k <= 12; ++k)
+    {
+      SCOPED_TRACE(std::to_string(k) + " faces, angle " + std::to_string(alpha));
+      const double far = GetFourEightFarWeight(alpha / k);
+      const double own = FourEightWave(alpha / k, far).Value;
+      EXPECT_NEAR(own * own, 0.5, 1e-13);
+      const double third = GetFourEightThirdEigenvalue(k, alpha);
+      EXPECT_EQ(third < 0.5 - 1e-9, alpha < Pi - 1e-9);
+      EXPECT_TRUE(alpha > Pi || (far > 0. && far < 1. / 3.)); // no weight is negative
+    }
   }
 }

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TestCurvedFilters.cxx
+ * Curved cells of red-green refinement and of labels: nodes are those of the uniform filter, and
+ * cells fit together, also where a refined cell meets its neighbours.
+ */
+#include "CurvedTools.h"
+#include "LabelTools.h"
+#include "RedGreenRefinementTools.h"
+
+#include "vtkSubdivisionModelSource.h"
+
+#include <numeric>
+
+using namespace red_green_refinement_tools;
+
+namespace
+{
+
+Grid Project(vtkDataObject* input, int levels, int cells = 0, int order = 2)
+{
+  vtkNew<vtkMultiDimensionalSubdivision> filter;
+  filter->SetVolumeSchemeToBoxSpline();
+  filter->SetInputDataObject(input);
+  filter->SetNumberOfLevels(levels);
+  filter->ProjectToLimitOn();
+  filter->SetOutputCells(cells);
+  filter->SetCellOrder(order);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Quadratic cells for order 0, else Lagrange cells.
+void SetOrder(Filter* filter, int order)
+{
+  filter->SetOutputCells(order == 0 ? Filter::QUADRATIC_CELLS : Filter::LAGRANGE_CELLS);
+  filter->SetCellOrder(order == 0 ? 2 : order);
+}
+
+/// A box of upright tetrahedra. The array V has the coordinates: it follows the same rules, and no
+/// repair moves it.
+Grid MakeMarkedBox(int most)
+{
+  const Grid box = MakeBox(1);
+  std::vector<Point> points;
+  std::vector<Cell> cells;
+  for (vtkIdType i = 0; i < box->GetNumberOfPoints(); ++i)
+  {
+    points.push_back(GetPoint(box, i));
+  }
+  for (vtkIdType c = 0; c < box->GetNumberOfCells(); ++c)
+  {
+    cells.push_back({ box->GetCellType(c), GetCell(box, c) });
+    if (GetSignedVolume(box, cells.back().Points) < 0.)
+    {
+      std::swap(cells.back().Points[0], cells.back().Points[1]);
+    }
+  }
+  const Grid input = MakeGrid(points, cells);
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("V");
+  values->SetNumberOfComponents(3);
+  for (const Point& p : points)
+  {
+    values->InsertNextTuple(p.data());
+  }
+  input->GetPointData()->AddArray(values);
+  AddWantedLevels(input, most, 5);
+  return input;
+}
+
+/// The largest distance of V at a node from the nearest at some points of another grid.
+double FindFarthest(
+  vtkUnstructuredGrid* from, const Ids& nodes, vtkUnstructuredGrid* to, const Ids& all)
+{
+  vtkDataArray* own = from->GetPointData()->GetArray("V");
+  vtkDataArray* others = to->GetPointData()->GetArray("V");
+  double most = 0.;
+  for (const vtkIdType node : nodes)
+  {
+    double p[3];
+    double q[3];
+    own->GetTuple(node, p);
+    double least = 1e300;
+    for (const vtkIdType other : all)
+    {
+      others->GetTuple(other, q);
+      least = std::min(least, std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+    }
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+Ids ListPoints(vtkUnstructuredGrid* grid)
+{
+  Ids all(static_cast<std::size_t>(grid->GetNumberOfPoints()));
+  std::iota(all.begin(), all.end(), vtkIdType(0));
+  return all;
+}
+
+Grid RefineCurved(vtkDataObject* input, int most, int order, bool toLimit)
+{
+  return Refine(
+    input,
+    [&](Filter* filter)
+    {
+      filter->RefineByWantedLevelOn();
+      filter->SetMaximumLevel(most);
+      filter->SetPlacement(toLimit ? Filter::LIMIT : Filter::LINEAR);
+      SetOrder(filter, order);
+    },
+    vtkNew<Messages>());
+}
+
+}
+
+TEST(CurvedFilters, EverythingMarkedIsTheUniformFilter)
+{
+  const Grid input = MakeMarkedBox(1);
+  for (const int order : { 0, 1, 2, 4 })
+  {
+    for (const int levels : { 0, 1 })
+    {
+      const Grid made = HalveAll(
+        input, levels,
+        [order](Filter* filter)
+        {
+          filter->SetPlacementToLimit();
+          SetOrder(filter, order);
+        },
+        vtkNew<Messages>());
+      const Grid uniform = Project(input, levels, order == 0 ? 2 : 3, order == 0 ? 2 : order);
+      ASSERT_EQ(made->GetNumberOfCells(), uniform->GetNumberOfCells());
+      for (vtkIdType c = 0; c < made->GetNumberOfCells(); ++c)
+      {
+        EXPECT_LE(FindFarthest(made, GetCell(made, c), uniform, GetCell(uniform, c)), 1e-12) << c;
+      }
+      EXPECT_EQ(made->GetNumberOfPoints(), uniform->GetNumberOfPoints());
+      EXPECT_EQ(made->GetCellType(0), uniform->GetCellType(0));
+      EXPECT_NE(made->GetCellData()->GetArray("ScaledJacobian"), nullptr);
+      EXPECT_NE(made->GetCellData()->GetArray("RefinementLevel"), nullptr);
+      EXPECT_EQ(made->GetFieldData()->GetAbstractArray("Subdivision"), nullptr);
+    }
+  }
+}
+
+/// Green cells share the nodes of their neighbours, and all nodes are limits of finer levels.
+TEST(CurvedFilters, GreenCellsFit)
+{
+  constexpr int most = 2;
+  const Grid input = MakeMarkedBox(most);
+  for (const int order : { 0, 4 })
+  {
+    const Grid made = RefineCurved(input, most, order, true);
+    EXPECT_GT(CountKind(made, 2) + CountKind(made, 3) + CountKind(made, 4), 0);
+    curved_tools::ExpectConforming(made);
+    curved_tools::ExpectVtkOrder(made);
+    const Grid fine = Project(input, most + (order == 0 ? 1 : 2));
+    EXPECT_LE(FindFarthest(made, ListPoints(made), fine, ListPoints(fine)), 1e-12);
+    const Grid straight = RefineCurved(input, most, order, false);
+    curved_tools::ExpectConforming(straight);
+    vtkDataArray* scaled = straight->GetCellData()->GetArray("ScaledJacobian");
+    EXPECT_NEAR(scaled->GetRange()[0], 1., 1e-9);
+    for (vtkIdType i = 0; i < straight->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      straight->GetPointData()->GetArray("V")->GetTuple(i, p);
+      const Point q = GetPoint(straight, i);
+      EXPECT_NEAR(std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]), 0., 1e-15);
+    }
+  }
+}
+
+/// Triangles, lines and tetrahedra in one mesh, with blocks and without.
+TEST(CurvedFilters, MixedMeshesAndBlocks)
+{
+  vtkNew<vtkSubdivisionModelSource> model;
+  model->SetModelToSpringAndValve();
+  model->Update();
+  const auto configure = [](Filter* filter)
+  {
+    filter->RefineByCurvatureOn();
+    filter->SetMaximumAngle(30.);
+    filter->SetMaximumLevel(2);
+    filter->SetPlacementToLimit();
+    SetOrder(filter, 0);
+  };
+  const Grid whole = Refine(model->GetOutput(), configure, vtkNew<Messages>());
+  ASSERT_GT(whole->GetNumberOfCells(), 0);
+  curved_tools::ExpectConforming(whole);
+  std::set<int> types;
+  for (vtkIdType c = 0; c < whole->GetNumberOfCells(); ++c)
+  {
+    types.insert(whole->GetCellType(c));
+  }
+  EXPECT_GT(types.size(), 1u);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, model->GetOutput());
+  vtkNew<Filter> filter;
+  configure(filter);
+  filter->RefineByAttributeErrorOff();
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(made, nullptr);
+  auto* block = vtkUnstructuredGrid::SafeDownCast(made->GetBlock(0));
+  ASSERT_NE(block, nullptr);
+  EXPECT_EQ(block->GetNumberOfCells(), whole->GetNumberOfCells());
+  EXPECT_EQ(block->GetNumberOfPoints(), whole->GetNumberOfPoints());
+}
+
+TEST(CurvedFilters, OrderThreeOfRedGreenIsAnError)
+{
+  vtkNew<Filter> filter;
+  vtkNew<Messages> messages;
+  messages->Watch(filter);
+  filter->SetInputData(MakeMarkedBox(1));
+  SetOrder(filter, 3);
+  filter->Update();
+  ASSERT_GE(messages->Errors.size(), 1u);
+  EXPECT_NE(
+    messages->Errors[0].find("CellOrder 3 has nodes that are no middles"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+/// Two materials: nodes of interfaces are shared, corners are the linear solid, labels are kept.
+TEST(CurvedFilters, LabelsAsCurvedCells)
+{
+  const auto image = label_tools::MakeImage(
+    { 4, 4, 4 }, [](int i, int j, int k) { return i + j + k > 8 ? 0
+                                             : i < 2            ? 1
+                                                                : 2; });
+  for (const bool hexahedra : { false, true })
+  {
+    for (const int levels : { 0, 1 })
+    {
+      label_tools::Made made;
+      made->SetCellType(hexahedra ? 1 : 0);
+      made->SetNumberOfLevels(levels);
+      made->SetNumberOfControlCells(0);
+      Grid linear = Grid::New();
+      linear->DeepCopy(made.Run(image));
+      made->SetOutputCellsToQuadratic();
+      vtkUnstructuredGrid* curved = made.Run(image);
+      EXPECT_TRUE(made.Heard->Errors.empty());
+      ASSERT_EQ(curved->GetNumberOfCells(), linear->GetNumberOfCells());
+      EXPECT_EQ(curved->GetCellType(0), hexahedra ? VTK_QUADRATIC_HEXAHEDRON : VTK_QUADRATIC_TETRA);
+      curved_tools::ExpectConforming(curved);
+      vtkDataArray* valid = curved->GetCellData()->GetArray("Valid");
+      ASSERT_NE(valid, nullptr);
+      EXPECT_STREQ(curved->GetCellData()->GetScalars()->GetName(), "Tissue");
+      for (vtkIdType c = 0; c < curved->GetNumberOfCells(); ++c)
+      {
+        EXPECT_EQ(valid->GetComponent(c, 0), 1.);
+        EXPECT_EQ(curved->GetCellData()->GetScalars()->GetComponent(c, 0),
+          linear->GetCellData()->GetScalars()->GetComponent(c, 0));
+        const Ids corners = GetCell(linear, c);
+        const Ids nodes = GetCell(curved, c);
+        for (std::size_t k = 0; k < corners.size(); ++k)
+        {
+          const Point a = GetPoint(linear, corners[k]);
+          const Point b = GetPoint(curved, nodes[k]);
+          ASSERT_NEAR(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 0., 1e-8)
+            << c; // a system is solved
+        }
+      }
+    }
+  }
+}

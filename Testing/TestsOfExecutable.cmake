@@ -1,0 +1,37 @@
+# Read by CTest when it starts, once for each executable of GoogleTests: `executable`, `label`, `environment` and `time_limit`
+# are set. Each test is one of CTest. In `./dev test`, which says the turn, each suite is one, because most tests take a tenth
+# of the time that a process takes to load VTK; but tests of memory have processes of their own.
+get_filename_component(name "${executable}" NAME_WE)
+execute_process(COMMAND "${executable}" --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE result)
+if (NOT result EQUAL 0)
+  add_test("${name}.CannotBeListed" "${executable}" --gtest_list_tests)
+  return ()
+endif ()
+set(by_suites FALSE)
+if (DEFINED ENV{SUBDIVISIONOBJECTS_TURN} AND NOT label STREQUAL "faults")
+  set(by_suites TRUE)
+endif ()
+
+# A line of a suite is its name with a dot, a line of a test begins with spaces; remarks of both begin with #.
+string(REGEX REPLACE " *#[^\n]*" "" listed "${listed}")
+string(REGEX MATCHALL "[^\n]+" lines "${listed}")
+foreach (line IN LISTS lines)
+  set(test "")
+  if (line MATCHES "^([^ ]+)\\.$")
+    set(suite "${CMAKE_MATCH_1}")
+    if (by_suites)
+      set(test "${suite}")
+      set(options "--gtest_filter=${suite}.*" --gtest_brief=1)
+    endif ()
+  elseif (line MATCHES "^  ([^ ]+)$" AND NOT by_suites)
+    set(test "${suite}.${CMAKE_MATCH_1}")
+    set(options "--gtest_filter=${test}")
+  endif ()
+  if (test AND NOT test MATCHES "DISABLED_")
+    add_test("${test}" "${executable}" ${options})
+    set_tests_properties("${test}" PROPERTIES ENVIRONMENT "${environment}" LABELS "${label}" TIMEOUT "${time_limit}")
+    if (NOT by_suites) # a suite may have tests that are not skipped
+      set_tests_properties("${test}" PROPERTIES SKIP_REGULAR_EXPRESSION "\\[  SKIPPED \\]")
+    endif ()
+  endif ()
+endforeach ()
