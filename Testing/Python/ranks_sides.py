@@ -32,7 +32,8 @@ def run_on(mesh, name):
     told = []
 
     def note(_, __, text):
-        told.append("JoinSides: sides of a surface meet that are not closed on their rank" in text)
+        # The plugin says "Join Sides", so the test does not read the name of the option.
+        told.append("sides of a surface meet that are not closed on their rank" in text)
 
     note.CallDataType = "string0"
     made.AddObserver("WarningEvent", note)
