@@ -7,6 +7,7 @@
 #include "CollapsibleGroup.h"
 #include "CountWidget.h"
 #include "CriteriaWidget.h"
+#include "EditBox.h"
 #include "Forecast.h"
 #include "ForecastWidget.h"
 #include "PresetWidget.h"
@@ -36,6 +37,10 @@ pqPropertyWidget* GroupInterface::createWidgetForPropertyGroup(
   if (widget == "SubdivisionObjectsCriteria")
   {
     return new CriteriaWidget(proxy, group, parent);
+  }
+  if (widget == "SubdivisionObjectsBox")
+  {
+    return new EditBox(proxy, group, parent);
   }
   return widget == "SubdivisionObjectsGroup" ? new CollapsibleGroup(proxy, group, parent) : nullptr;
 }

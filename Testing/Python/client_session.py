@@ -6,8 +6,8 @@ import traceback
 import unittest
 
 from client_tools import (
-    QtCore, QtWidgets, act, application, cells, choose, choose_with_inputs, filters, find, groups, heading, panel, picture, push,
-    quick_launch, sees, selection, settle, show_advanced, shown)
+    QtCore, QtWidgets, act, application, cells, choose, choose_with_inputs, client_box, drag, filters, find, groups, heading,
+    panel, picture, picture_of_view, push, quick_launch, sees, selection, settle, show_advanced, shown)
 from paraview import servermanager, simple, smtrace
 
 
@@ -327,6 +327,65 @@ class Client(unittest.TestCase):
         heading("Interpolation").click()
         settle()
         self.assertFalse(sees("InterpolatePoints"))
+
+    def test_the_box_stands_around_the_selection_and_the_limit_follows_it(self):
+        model = self.model("MaterialBlock")
+        edit = choose("menuFilters", "Edit Selection")
+        edit.Selection = selection()
+        push("Accept")
+        simple.SetActiveSource(edit)
+        settle()
+        selected = simple.ExtractSelection(Input=model, Selection=edit.Selection)
+        selected.UpdatePipeline()
+        smooth = simple.MultidimensionalSubdivision(Input=edit, NumberOfLevels=2)
+        simple.Show(smooth)
+        simple.Hide(model)
+        simple.Hide(edit)
+        simple.SetActiveSource(edit)
+        settle()
+        view = simple.GetActiveView()
+        view.CameraFocalPoint, view.CameraPosition = [0, 0, 0], [3, 2, 4]  # else a handle hides the one in the middle
+        simple.ResetCamera()
+        show = shown().findChild(QtWidgets.QCheckBox, "show3DWidget")
+        if not show.isChecked():  # ParaView's own widgets forget it while another panel is shown
+            show.click()
+            settle()
+        box = client_box(view)
+        bounds = box.GetBounds()
+        size = max(model.GetDataInformation().GetBounds()[1::2])
+        for found, wanted in zip(bounds, selected.GetDataInformation().GetBounds()):
+            self.assertAlmostEqual(found, wanted, delta=0.05 * size + 1e-9)  # flat boxes get some height
+        self.assertTrue(all(bounds[axis + 1] > bounds[axis] for axis in (0, 2, 4)))
+        before = smooth.GetDataInformation().GetBounds()
+        frames = drag(view, [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2], smooth)
+        self.assertGreater(frames, 3)  # during the drag
+        moved = list(edit.Translation)
+        self.assertGreater(max(map(abs, moved)), 0.05)
+        settle()
+        self.assertNotEqual(smooth.GetDataInformation().GetBounds(), before)
+        steps = self.repeat("actionEditUndo", lambda: list(edit.Translation) == [0, 0, 0])
+        self.assertEqual(self.repeat("actionEditRedo", lambda: list(edit.Translation) == moved, steps), steps)
+        smooth.UpdatePipeline()
+        picture_of_view(view, "DraggedBox")
+        after = smooth.GetDataInformation().GetBounds()
+        state = os.path.abspath("drag.pvsm")
+        simple.SaveState(state)
+        self.tearDown()
+        simple.LoadState(state)
+        settle()
+        again = {name: source for (name, _), source in simple.GetSources().items()}
+        again = next(source for name, source in again.items() if name.startswith("Multi"))
+        again.UpdatePipeline()
+        self.assertEqual(again.GetDataInformation().GetBounds(), after)
+
+    def repeat(self, action, is_done, most=8):
+        """How often the user does it. A drag is one step; what the panel does around it may be others."""
+        times = 0
+        while not is_done():
+            self.assertLess(times, most)
+            act(action)
+            times += 1
+        return times
 
     def test_a_search_opens_groups(self):
         self.model()

@@ -184,3 +184,41 @@ def picture(name):
 
 def cells(proxy):
     return proxy.GetDataInformation().GetNumberOfCells()
+
+
+def client_box(view):
+    """The box of the panel in a view."""
+    hidden = view.SMProxy.GetProperty("HiddenRepresentations")
+    proxies = [hidden.GetProxy(i) for i in range(hidden.GetNumberOfProxies())]
+    (box,) = [proxy for proxy in proxies if "BoxWidget" in proxy.GetXMLName()]
+    return box.GetRepresentationProxy().GetClientSideObject()
+
+
+def drag(view, start, followed):
+    """Draws what is at a place of the view by the mouse, with Auto Apply: how often `followed` was made meanwhile."""
+    settings = servermanager.vtkPVGeneralSettings.GetInstance()
+    before = settings.GetAutoApply()
+    settings.SetAutoApply(True)
+    simple.Render(view)
+    renderer, interactor = view.GetRenderer(), view.GetInteractor()
+    renderer.SetWorldPoint(*start, 1)
+    renderer.WorldToDisplay()
+    x, y, _ = map(int, renderer.GetDisplayPoint())
+    times = {followed.GetClientSideObject().GetOutputDataObject(0).GetMTime()}
+    interactor.SetEventInformation(x, y)
+    interactor.InvokeEvent("MouseMoveEvent")
+    interactor.InvokeEvent("LeftButtonPressEvent")
+    for step in range(1, 11):
+        interactor.SetEventInformation(x + 4 * step, y + 4 * step)
+        interactor.InvokeEvent("MouseMoveEvent")
+        settle()
+        times.add(followed.GetClientSideObject().GetOutputDataObject(0).GetMTime())
+    interactor.InvokeEvent("LeftButtonReleaseEvent")
+    settle()
+    settings.SetAutoApply(before)
+    return len(times) - 1
+
+
+def picture_of_view(view, name):
+    os.makedirs("panels", exist_ok=True)
+    simple.SaveScreenshot(f"panels/{name}.png", view)
