@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMultiDimensionalSubdivision.h"
 
+#include "Private/Arrays/Arrays.h"
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Reading/CellChecks.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Uniform/UniformBounds.h"
 #include "Private/Uniform/UniformSubdivision.h"
+#include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -16,6 +19,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <vector>
 
 namespace
 {
@@ -102,6 +106,14 @@ bool vtkMultiDimensionalSubdivision::MakeLevelAside(int level, bool isFirst,
     vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), this->NumberOfRunsAside);
   this->SetProgressShiftScale(part.first, part.second);
   return this->vtkMultiDimensionalSubdivision::RequestData(nullptr, inputVector, made) != 0;
+}
+
+bool vtkMultiDimensionalSubdivision::IsStopped()
+{
+  const double own = subdivision::IsAborted(this) ? 1. : 0.;
+  const auto all = this->SharesRanks() ? subdivision::GatherFromRanks(this->Controller, { own })
+                                       : std::vector<double>{ own };
+  return std::find(all.begin(), all.end(), 1.) != all.end();
 }
 
 int vtkMultiDimensionalSubdivision::GetLayersOfCells() const

@@ -284,6 +284,9 @@ protected:
   /// warnings of those before. It is `part` of the work. Returns false after an error.
   bool MakeLevelAside(int level, bool isFirst, const std::pair<double, double>& part,
     vtkInformationVector** inputVector);
+  /// Whether the user has stopped this rank or another one: what MakeLevelAside made is empty then,
+  /// and the next level may be whole. All ranks have to ask.
+  bool IsStopped();
   const char* DescribeCurvedNeeds() const override;
 
   int VolumeScheme = AUTOMATIC;

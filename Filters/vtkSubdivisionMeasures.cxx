@@ -94,7 +94,7 @@ bool vtkSubdivisionMeasures::MeasureLevel(int level, vtkInformationVector** inpu
   const double runs = this->MaximumLevel + 2.;
   this->HasFailed |=
     !this->MakeLevelAside(level, level < 0, { (level + 1.) / runs, 1. / runs }, inputVector);
-  return !this->HasFailed && this->Levels->HasControl() &&
+  return !this->IsStopped() && !this->HasFailed && this->Levels->HasControl() &&
     this->Levels->GetNumberOfLevels() == level + 1;
 }
 

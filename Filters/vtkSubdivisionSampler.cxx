@@ -280,6 +280,10 @@ bool vtkSubdivisionSampler::MakeLevels(vtkInformationVector** inputVector)
       this->HasFailed = true;
       return false;
     }
+    if (this->IsStopped())
+    {
+      return false;
+    }
     object.SetLevel(object.Level, level > 1);
     object.Agree(controller);
     if (!this->FindGrid(inputVector, object.Bounds, object.Grid) ||

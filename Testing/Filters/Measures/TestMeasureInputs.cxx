@@ -6,6 +6,8 @@
 #include "HybridFilterTools.h"
 #include "MeasureTools.h"
 
+#include "Core/Memory/Loops.h"
+
 #include "vtkCallbackCommand.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
@@ -185,6 +187,55 @@ TEST(MeasureInputs, AStoppedRunHasNoRows)
   EXPECT_LT(last, 0.6);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfRows(), 0);
   EXPECT_TRUE(messages->Errors.empty());
+}
+
+namespace
+{
+
+/// Stops the filter at one of its reports; no loop asks after it, as where the next level takes
+/// less time than passes between two reports.
+struct Stop
+{
+  int At = 0;
+  int Reports = 0;
+};
+
+void StopAtReport(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto& stop = *static_cast<Stop*>(data);
+  if (++stop.Reports == stop.At)
+  {
+    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    subdivision::BetweenLoops::SecondsBetween = 1e9;
+  }
+}
+
+}
+
+/// Also in the control mesh, whose next level is whole.
+TEST(MeasureInputs, AStopAtAnyReportHasNoRows)
+{
+  const double before = subdivision::BetweenLoops::SecondsBetween;
+  Stop stop;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&stop);
+  command->SetCallback(StopAtReport);
+  const Grid mesh = MakeMixedBox(1);
+  int reports = 1;
+  for (int stopAt = 0; stopAt < reports; ++stopAt) // at first none
+  {
+    stop = { stopAt, 0 };
+    subdivision::BetweenLoops::SecondsBetween = 0.;
+    vtkNew<vtkSubdivisionMeasures> filter;
+    filter->SetMaximumLevel(1);
+    filter->AddObserver(vtkCommand::ProgressEvent, command);
+    filter->SetInputDataObject(mesh);
+    filter->Update();
+    reports = stopAt == 0 ? stop.Reports - 1 : reports; // VTK makes the last one
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfRows() == 0, stopAt > 0) << stopAt;
+  }
+  EXPECT_GT(reports, 20);
+  subdivision::BetweenLoops::SecondsBetween = before;
 }
 
 TEST(MeasureInputs, OptionsOfMeshesStay)
