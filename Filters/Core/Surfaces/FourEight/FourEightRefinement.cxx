@@ -2,8 +2,6 @@
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Surfaces/Scheme/SplitJoints.h"
-#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -11,97 +9,27 @@ namespace
 {
 
 template <typename Id>
-class FourEightRefiner
+class FourEightRefiner : public CentreRefiner<Id, FourEightTopology<Id>, FourEightRefiner<Id>>
 {
 public:
-  explicit FourEightRefiner(const SurfaceLevel<Id>& level)
-    : Level(level)
-    , Mesh(level.Mesh)
-    , Children(level)
-  {
-  }
+  using CentreRefiner<Id, FourEightTopology<Id>, FourEightRefiner<Id>>::CentreRefiner;
 
-  SurfaceLevel<Id> Run(Depth depth)
+  void SetCounts(SurfaceLevel<Id>& next, bool isLast) const
   {
-    SurfaceLevel<Id> next;
-    next.Step = this->Level.Step + 1;
     PolygonMesh<Id>& out = next.Mesh;
-    const bool isLast = depth == Depth::ForCounts;
-    const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed());
-    const vtkIdType corners = this->Children.GetNumberOfCorners();
-    const vtkIdType edges = this->Children.GetNumberOfEdges();
-    out.NumberOfVertices = this->Children.GetNumberOfVertices();
-    out.NumberOfFaces = this->Children.GetNumberOfFaces();
     out.Arity = this->Children.HasTriangles() ? 0 : 4;
     if (out.Arity == 0)
     {
       out.FaceOffsets = Buffer<Id>(out.NumberOfFaces + 1);
-      out.CornerFaces = Buffer<Id>(isLast ? 0 : corners);
+      out.CornerFaces = Buffer<Id>(isLast ? 0 : vtkIdType(this->Children.GetNumberOfCorners()));
       this->SetOffsets(out);
     }
-    out.EdgesNotStored = hasEdges ? 0 : edges;
-    if (hasEdges || !this->Level.Lines.empty())
-    {
-      out.EdgeVertices = Buffer<Id>(2 * edges);
-      this->SetEdgeVertices(out);
-    }
-    if (hasEdges)
-    {
-      out.Edges = Buffer<Id>(corners);
-      out.EdgeCorners = Buffer<Id>(edges);
-      this->SetFreeEdges(out);
-    }
-    if (!isLast)
-    {
-      out.Vertices = Buffer<Id>(corners);
-      this->WriteFaces(out.Vertices.data());
-      out.Twins = Buffer<Id>(corners);
-      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-      ForEach(
-        this->Mesh.NumberOfFaces, [&](vtkIdType f) { this->SetInside(static_cast<Id>(f), out); });
-      this->SetVertexCorners(out);
-      SplitJoints(this->Mesh, PiecesIn{ *this, out }, out);
-    }
-    next.Lines = SplitLines(this->Level.Lines, PiecesIn{ *this, out });
-    return next;
   }
-
-  template <typename Out>
-  void WriteFaces(Out* ids) const
-  {
-    ForEach(this->Mesh.GetNumberOfCorners(),
-      [&](vtkIdType c) { this->SetVertices(static_cast<Id>(c), ids); });
-  }
-
-private:
-  /// For SplitJoints.h.
-  struct PiecesIn
-  {
-    const FourEightRefiner& Refiner;
-    const PolygonMesh<Id>& Out;
-
-    int GetNumberOfPieces() const { return this->Refiner.Children.IsEven ? 2 : 1; }
-    Id GetPiece(Id edge, int i) const { return this->Refiner.Children.GetPiece(edge, i); }
-    Id GetPoint(Id edge, int) const { return this->Refiner.Children.GetMiddle(edge); }
-    Id GetOnPiece(Id corner, int i) const { return this->Refiner.GetOnPiece(corner, i); }
-    Id GetCornerAt(Id corner, int) const
-    {
-      const Id middle = this->Refiner.Children.GetMiddle(this->Refiner.Mesh.Edges[corner]);
-      return this->Refiner.GetCornerAt(this->GetOnPiece(corner, 0), middle, this->Out);
-    }
-    Id GetCornerInFan(Id corner) const
-    {
-      return this->Refiner.GetCornerAt(this->Refiner.Children.GetHalfEdgeAt(corner),
-        this->Refiner.Mesh.Vertices[corner], this->Out);
-    }
-  };
-
-  bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
   /// Sets the vertices of the child across the edge ab of a corner: a, the apex of the other face,
   /// b, the apex of this face; at a fixed edge a, b, apex.
   template <typename Out>
-  void SetVertices(Id corner, Out* ids) const
+  void SetChild(Id corner, Out* ids) const
   {
     if (!this->Children.HasChild(corner))
     {
@@ -117,40 +45,6 @@ private:
     write(this->Mesh.Vertices[this->Mesh.Next(corner)]);
     write(this->Children.GetApex(this->Mesh.GetFace(corner)));
   }
-  /// Sets where children begin if some are triangles, and on whole levels the face of each corner.
-  void SetOffsets(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.GetNumberOfCorners(),
-      [&](vtkIdType c)
-      {
-        const Id corner = static_cast<Id>(c);
-        if (!this->Children.HasChild(corner))
-        {
-          return;
-        }
-        const Id start = this->Children.GetStart(corner);
-        const Id face = this->Children.GetChild(corner);
-        out.FaceOffsets[face] = start;
-        if (!out.CornerFaces.empty())
-        {
-          std::fill_n(
-            out.CornerFaces.begin() + start, this->Children.IsFixed(corner) ? 3 : 4, face);
-        }
-      });
-    out.FaceOffsets[out.NumberOfFaces] = this->Children.GetNumberOfCorners();
-  }
-  void SetFreeEdges(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.EdgeCorners.size(),
-      [&](vtkIdType e)
-      {
-        if (this->Mesh.EdgeCorners[e] < 0)
-        {
-          out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 0)] = -1;
-          out.EdgeCorners[this->Children.GetPiece(static_cast<Id>(e), 1)] = -1;
-        }
-      });
-  }
   void SetEdgeVertices(PolygonMesh<Id>& out) const
   {
     auto set = [&out](Id edge, Id from, Id to)
@@ -165,8 +59,8 @@ private:
         const Id ends[2] = { this->Mesh.EdgeVertices[2 * e], this->Mesh.EdgeVertices[2 * e + 1] };
         if (this->IsSharp(e) && this->Children.IsEven)
         {
-          set(this->Children.GetPiece(edge, 0), ends[0], this->Children.GetMiddle(edge));
-          set(this->Children.GetPiece(edge, 1), this->Children.GetMiddle(edge), ends[1]);
+          set(this->Children.GetPiece(edge, 0), ends[0], this->Children.GetFirstPoint(edge));
+          set(this->Children.GetPiece(edge, 1), this->Children.GetFirstPoint(edge), ends[1]);
         }
         else if (this->IsSharp(e))
         {
@@ -182,25 +76,8 @@ private:
           { set(this->Children.GetSpoke(face, corner), apex, this->Mesh.Vertices[corner]); });
       });
   }
-  /// Calls visit(corner) for each corner of a face that a spoke joins to the apex.
-  template <typename Visit>
-  void VisitSpokes(Id face, const Visit& visit) const
-  {
-    if (this->Children.IsCut(face))
-    {
-      visit(this->Mesh.Previous(this->Children.GetCutCorner(face)));
-      return;
-    }
-    const Id first = this->Mesh.GetFirst(face);
-    const Id end = first + this->Mesh.GetSize(face);
-    for (Id corner = first; corner < end; ++corner)
-    {
-      visit(corner);
-    }
-  }
-
   /// Sets the half-edges of the next level that lie inside a face, or on its fixed edges.
-  void SetInside(Id face, PolygonMesh<Id>& out) const
+  void SetFace(Id face, PolygonMesh<Id>& out) const
   {
     Id before = -1; // the side at the end of the edge before, unless it is not known yet
     this->VisitSpokes(face,
@@ -231,6 +108,53 @@ private:
       }
     }
   }
+  /// The half-edge on a fixed edge, or on its half at one end.
+  Id GetOnPiece(Id corner, int end) const
+  {
+    return this->Children.IsEven
+      ? this->Children.GetHalf(corner, this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner] + end])
+      : this->Children.GetStart(corner);
+  }
+
+private:
+  /// Sets where children begin if some are triangles, and on whole levels the face of each corner.
+  void SetOffsets(PolygonMesh<Id>& out) const
+  {
+    ForEach(this->Mesh.GetNumberOfCorners(),
+      [&](vtkIdType c)
+      {
+        const Id corner = static_cast<Id>(c);
+        if (!this->Children.HasChild(corner))
+        {
+          return;
+        }
+        const Id start = this->Children.GetStart(corner);
+        const Id face = this->Children.GetChild(corner);
+        out.FaceOffsets[face] = start;
+        if (!out.CornerFaces.empty())
+        {
+          std::fill_n(
+            out.CornerFaces.begin() + start, this->Children.IsFixed(corner) ? 3 : 4, face);
+        }
+      });
+    out.FaceOffsets[out.NumberOfFaces] = this->Children.GetNumberOfCorners();
+  }
+  /// Calls visit(corner) for each corner of a face that a spoke joins to the apex.
+  template <typename Visit>
+  void VisitSpokes(Id face, const Visit& visit) const
+  {
+    if (this->Children.IsCut(face))
+    {
+      visit(this->Mesh.Previous(this->Children.GetCutCorner(face)));
+      return;
+    }
+    const Id first = this->Mesh.GetFirst(face);
+    const Id end = first + this->Mesh.GetSize(face);
+    for (Id corner = first; corner < end; ++corner)
+    {
+      visit(corner);
+    }
+  }
   void SetPiece(Id corner, int end, PolygonMesh<Id>& out) const
   {
     const Id edge = this->Mesh.Edges[corner];
@@ -244,60 +168,6 @@ private:
       out.EdgeCorners[piece] = halfEdge;
     }
   }
-  /// The half-edge on a fixed edge, or on its half at one end.
-  Id GetOnPiece(Id corner, int end) const
-  {
-    return this->Children.IsEven
-      ? this->Children.GetHalf(corner, this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner] + end])
-      : this->Children.GetStart(corner);
-  }
-
-  /// The corner at `vertex` of a face of the next level, of which a half-edge begins or ends at the
-  /// vertex.
-  Id GetCornerAt(Id halfEdge, Id vertex, const PolygonMesh<Id>& out) const
-  {
-    return out.Vertices[halfEdge] == vertex ? halfEdge : out.Next(halfEdge);
-  }
-
-  void SetVertexCorners(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.NumberOfVertices,
-      [&](vtkIdType v)
-      {
-        const Id corner = this->Mesh.VertexCorners[v];
-        out.VertexCorners[v] = corner < 0
-          ? corner
-          : this->GetCornerAt(this->Children.GetHalfEdgeAt(corner), static_cast<Id>(v), out);
-      });
-    ForEach(this->Mesh.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id face = static_cast<Id>(f);
-        if (!this->Children.IsCut(face))
-        {
-          const Id first = this->Mesh.GetFirst(face);
-          const Id apex = this->Children.GetApex(face);
-          out.VertexCorners[apex] =
-            this->GetCornerAt(this->Children.GetSides(first).AtBegin, apex, out);
-        }
-      });
-    const bool hasMiddles = this->Children.IsEven && this->Children.HasFixed();
-    ForEach(hasMiddles ? this->Mesh.GetNumberOfEdges() : 0,
-      [&](vtkIdType e)
-      {
-        if (this->IsSharp(e))
-        {
-          const Id corner = this->Mesh.EdgeCorners[e];
-          const Id middle = this->Children.GetMiddle(static_cast<Id>(e));
-          out.VertexCorners[middle] =
-            corner < 0 ? -1 : this->GetCornerAt(this->GetOnPiece(corner, 0), middle, out);
-        }
-      });
-  }
-
-  const SurfaceLevel<Id>& Level;
-  const PolygonMesh<Id>& Mesh;
-  FourEightTopology<Id> Children;
 };
 
 }
@@ -351,42 +221,6 @@ void FourEightRefinement<Id>::Prepare(SurfaceLevel<Id>& level) const
   }
 }
 
-namespace
-{
-
-/// `ofEdges`: the tags of edges too.
-template <typename Id>
-SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
-{
-  const FourEightTopology<Id> children(level);
-  SurfaceTags<Id> out;
-  out.Edges = Buffer<EdgeTag>(ofEdges ? children.GetNumberOfEdges() : 0);
-  out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
-  ForEach(out.Edges.size(), [&](vtkIdType e)
-    { out.Edges[e] = e < children.GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth; });
-  ForEach(out.Vertices.size(),
-    [&](vtkIdType v)
-    {
-      out.Vertices[v] = v < level.Mesh.NumberOfVertices ? tags.Vertices[v]
-        : v < children.GetFirstMiddle()                 ? VertexTag::Smooth
-                                                        : VertexTag::Curve;
-    });
-  out.Sectors = tags.Sectors;
-  MoveSectors(
-    level.Mesh, tags, [&](Id fixed, Id vertex) { return children.GetCornerAtEnd(fixed, vertex); },
-    out.Sectors);
-  return out;
-}
-
-}
-
-template <typename Id>
-SurfaceTags<Id> FourEightRefinement<Id>::RefineTags(
-  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const
-{
-  return MakeTags(level, tags, true);
-}
-
 template <typename Id>
 void FourEightRefinement<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut ids) const
 {
@@ -396,12 +230,7 @@ void FourEightRefinement<Id>::WriteFaces(const SurfaceLevel<Id>& level, IdsOut i
 template <typename Id>
 SurfaceLevel<Id> FourEightRefinement<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  SurfaceLevel<Id> next = FourEightRefiner<Id>(level).Run(depth);
-  if (depth != Depth::ForCounts)
-  {
-    next.Tags = MakeTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
-  }
-  return next;
+  return this->RefineBy(FourEightRefiner<Id>(level), level, depth);
 }
 
 template <typename Id>
@@ -414,7 +243,7 @@ void FourEightRefinement<Id>::ListChildren(
     AppendVariedChildren(
       parents, segments.Sizes, [&](vtkIdType i) { return before(static_cast<Id>(i)); }, list);
   };
-  const Id pieces = topology.IsEven ? 2 : 1;
+  const int pieces = topology.IsEven ? 2 : 1;
   const auto countFixed = [&](Id edge) { return topology.CountFixedBefore(edge); };
   AppendChildren(segments.Vertices, 1, children.Vertices);
   append(

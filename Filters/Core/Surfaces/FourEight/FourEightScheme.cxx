@@ -8,10 +8,8 @@
 #include "Core/Surfaces/FourEight/FourEightRefinement.h"
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
-#include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
 #include "Core/Surfaces/Scheme/SurfacePatch.h"
-#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -170,7 +168,6 @@ public:
   {
     return steps > 0 ? corners * std::pow(2., steps - 1) : faces;
   }
-  void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
   /// Edges where the patch ends and the whole level goes on get a face beyond, of new vertices:
   /// even steps need that a fixed edge belongs to a triangle which has no other one. Over an edge
   /// ab stands a triangle abd with a vertex m in its middle, that is, three triangles, of which two
@@ -186,28 +183,6 @@ public:
     if (!rim.empty())
     {
       RimMaker<Id>(patch.Level.Mesh, patch.Level.Tags).Run(rim);
-    }
-  }
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override
-  {
-    const PolygonMesh<Id>& mesh = level.Mesh;
-    const FourEightTopology<Id> topology(level);
-    const Id vertex = static_cast<Id>(row);
-    if (row < mesh.NumberOfVertices)
-    {
-      parents.assign({ row });
-    }
-    else if (vertex < topology.GetFirstMiddle())
-    {
-      const Id face = topology.FindFace(vertex - topology.GetFirstCentre());
-      const Id* first = mesh.Vertices.data() + mesh.GetFirst(face);
-      parents.assign(first, first + mesh.GetSize(face));
-    }
-    else
-    {
-      const Id edge = topology.FindFixed(vertex - topology.GetFirstMiddle());
-      parents.assign({ mesh.EdgeVertices[2 * edge], mesh.EdgeVertices[2 * edge + 1] });
     }
   }
   /// A child between two faces that lie in one control face each gets these two: First is the
@@ -257,7 +232,7 @@ public:
         }
         for (vtkIdType row = first; row < last && kind == 2; ++row)
         {
-          const Id edge = topology.FindFixed(static_cast<Id>(row));
+          const Id edge = topology.FindCutEdge(static_cast<Id>(topology.GetEndOfCentres() + row));
           rows.Add(mesh.EdgeVertices[2 * edge], 0.5);
           rows.Add(mesh.EdgeVertices[2 * edge + 1], 0.5);
           rows.EndRow();

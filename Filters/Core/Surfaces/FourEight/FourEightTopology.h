@@ -58,14 +58,15 @@ public:
   }
   Id GetNumberOfVertices() const
   {
-    return this->GetFirstMiddle() + (this->IsEven ? this->GetNumberOfFixed() : 0);
+    return this->GetEndOfCentres() + (this->IsEven ? this->GetNumberOfFixed() : 0);
   }
   Id GetNumberOfFaces() const { return this->ChildrenBefore[this->Mesh.GetNumberOfCorners()]; }
   Id GetNumberOfCorners() const
   {
     return this->GetStart(static_cast<Id>(this->Mesh.GetNumberOfCorners()));
   }
-  Id GetNumberOfPieces() const { return (this->IsEven ? 2 : 1) * this->GetNumberOfFixed(); }
+  int GetPiecesOfFixed() const { return this->IsEven && this->HasFixed() ? 2 : 1; }
+  Id GetNumberOfPieces() const { return this->GetPiecesOfFixed() * this->GetNumberOfFixed(); }
   Id GetNumberOfEdges() const
   {
     return this->GetNumberOfPieces() +
@@ -96,7 +97,9 @@ public:
   }
 
   Id GetFirstCentre() const { return static_cast<Id>(this->Mesh.NumberOfVertices); }
-  Id GetFirstMiddle() const { return this->GetFirstCentre() + this->GetNumberOfCentres(); }
+  Id GetEndOfCentres() const { return this->GetFirstCentre() + this->GetNumberOfCentres(); }
+  /// The vertex at the centre of a face; -1: the face is cut.
+  Id GetCentre(Id face) const { return this->IsCut(face) ? Id(-1) : this->GetApex(face); }
   bool IsCut(Id face) const
   {
     return this->HasFixed() && this->CentresBefore[face] == this->CentresBefore[face + 1];
@@ -111,12 +114,12 @@ public:
     }
     return corner;
   }
-  Id GetMiddle(Id edge) const { return this->GetFirstMiddle() + this->FixedBefore[edge]; }
+  Id GetFirstPoint(Id edge) const { return this->GetEndOfCentres() + this->FixedBefore[edge]; }
   /// The *apex* of a face: its centre or, in a cut face, the middle of its fixed edge.
   Id GetApex(Id face) const
   {
     return !this->HasFixed() ? this->GetFirstCentre() + face
-      : this->IsCut(face)    ? this->GetMiddle(this->Mesh.Edges[this->GetCutCorner(face)])
+      : this->IsCut(face)    ? this->GetFirstPoint(this->Mesh.Edges[this->GetCutCorner(face)])
                              : this->GetFirstCentre() + this->CentresBefore[face];
   }
 
@@ -125,9 +128,9 @@ public:
   {
     return this->IsEven ? 2 * this->FixedBefore[edge] + end : this->FixedBefore[edge];
   }
-  int GetEnd(Id edge, Id vertex) const
+  EdgeTag GetEdgeTag(vtkIdType edge, const SurfaceTags<Id>&) const
   {
-    return this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1;
+    return edge < this->GetNumberOfPieces() ? EdgeTag::Sharp : EdgeTag::Smooth;
   }
   /// The *spoke*, an edge of the next level, from the apex of a face to the vertex of a corner. A
   /// cut face has one spoke only, to the vertex opposite to its fixed edge.
@@ -158,6 +161,7 @@ public:
     const bool isFirst = this->Mesh.Vertices[twin] == this->Mesh.Vertices[corner];
     return { isFirst ? start : start + 1, isFirst ? start + 1 : start };
   }
+  Id GetSideAtBegin(Id corner) const { return this->GetSides(corner).AtBegin; }
   Id GetSide(Id corner, Id vertex) const
   {
     const Sides sides = this->GetSides(corner);
@@ -190,14 +194,14 @@ public:
     return half - place + (place == 1 || place == 2 ? 2 : 0);
   }
 
-  /// The face of a centre and the fixed edge of a middle, by their running numbers.
+  /// The face of a centre, by its running number, and the fixed edge that a vertex cuts.
   Id FindFace(Id centre) const
   {
     return this->HasFixed() ? Find(this->CentresBefore, this->Mesh.NumberOfFaces, centre) : centre;
   }
-  Id FindFixed(Id number) const
+  Id FindCutEdge(Id vertex) const
   {
-    return Find(this->FixedBefore, this->Mesh.GetNumberOfEdges(), number);
+    return Find(this->FixedBefore, this->Mesh.GetNumberOfEdges(), vertex - this->GetEndOfCentres());
   }
 
   Id CountCentresBefore(Id face) const

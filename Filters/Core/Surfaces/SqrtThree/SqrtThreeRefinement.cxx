@@ -2,9 +2,6 @@
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Surfaces/Scheme/FixedEdges.h"
-#include "Core/Surfaces/Scheme/SplitJoints.h"
-#include "Core/Surfaces/Scheme/TurnedSectors.h"
 
 namespace subdivision
 {
@@ -12,114 +9,23 @@ namespace
 {
 
 template <typename Id>
-class SqrtThreeRefiner
+class SqrtThreeRefiner : public CentreRefiner<Id, SqrtThreeTopology<Id>, SqrtThreeRefiner<Id>>
 {
 public:
-  explicit SqrtThreeRefiner(const SurfaceLevel<Id>& level)
-    : Level(level)
-    , Mesh(level.Mesh)
-    , Children(level)
-  {
-  }
+  using CentreRefiner<Id, SqrtThreeTopology<Id>, SqrtThreeRefiner<Id>>::CentreRefiner;
 
-  SurfaceLevel<Id> Run(Depth depth)
+  void SetCounts(SurfaceLevel<Id>& next, bool) const
   {
-    SurfaceLevel<Id> next;
-    next.Step = this->Level.Step + 1;
     next.VerticesBefore =
       this->Level.VerticesBefore < 0 ? this->Mesh.NumberOfVertices : this->Level.VerticesBefore;
-    PolygonMesh<Id>& out = next.Mesh;
-    out.Arity = 3;
-    out.NumberOfVertices = this->Children.GetNumberOfVertices();
-    out.NumberOfFaces = 3 * this->Mesh.NumberOfFaces;
-    const vtkIdType corners = 3 * out.NumberOfFaces;
-    const vtkIdType edges = this->Children.GetNumberOfEdges();
-    const bool isLast = depth == Depth::ForCounts;
-    const bool hasEdges = !isLast && (depth == Depth::ForRefinement || this->Children.HasFixed);
-    out.EdgesNotStored = hasEdges ? 0 : edges;
-    if (hasEdges || !this->Level.Lines.empty())
-    {
-      out.EdgeVertices = Buffer<Id>(2 * edges);
-      this->SetEdgeVertices(out);
-    }
-    if (hasEdges)
-    {
-      out.Edges = Buffer<Id>(corners);
-      out.EdgeCorners = Buffer<Id>(edges);
-      this->SetFreeEdges(out);
-    }
-    if (!isLast)
-    {
-      out.Vertices = Buffer<Id>(corners);
-      this->WriteFaces(out.Vertices.data());
-      out.Twins = Buffer<Id>(corners);
-      out.VertexCorners = Buffer<Id>(out.NumberOfVertices);
-      ForEach(this->Mesh.NumberOfFaces,
-        [&](vtkIdType f)
-        {
-          const Id face = static_cast<Id>(f);
-          if (hasEdges)
-          {
-            this->SetAcross(face, out);
-            this->SetInside(face, out);
-          }
-          else
-          {
-            this->SetTwins(face, out);
-          }
-        });
-      this->SetVertexCorners(out);
-      SplitJoints(this->Mesh, PiecesIn{ *this, out }, out);
-    }
-    next.Lines = SplitLines(this->Level.Lines, PiecesIn{ *this, out });
-    return next;
+    next.Mesh.Arity = 3;
   }
-
-  template <typename Out>
-  void WriteFaces(Out* ids) const
-  {
-    ForEach(this->Mesh.GetNumberOfCorners(),
-      [&](vtkIdType c) { this->SetChild(static_cast<Id>(c), ids + 3 * c); });
-  }
-
-private:
-  /// For SplitJoints.h: the middle third of an edge keeps its number.
-  struct PiecesIn
-  {
-    const SqrtThreeRefiner& Refiner;
-    const PolygonMesh<Id>& Out;
-
-    int GetNumberOfPieces() const { return this->Refiner.Children.HasThirds() ? 3 : 1; }
-    Id GetPiece(Id edge, int i) const
-    {
-      const bool isWhole = this->GetNumberOfPieces() == 1 || i == 1;
-      return isWhole ? edge : this->Refiner.GetOuter(edge, i / 2);
-    }
-    Id GetPoint(Id edge, int i) const { return this->Refiner.Children.GetThird(edge) + i; }
-    Id GetOnPiece(Id corner, int i) const
-    {
-      const Id edge = this->Refiner.Mesh.Edges[corner];
-      const bool isWhole = this->GetNumberOfPieces() == 1 || i == 1;
-      return isWhole
-        ? 3 * corner
-        : this->Refiner.GetOuterSide(corner, this->Refiner.Mesh.EdgeVertices[2 * edge + i / 2]);
-    }
-    Id GetCornerAt(Id corner, int i) const { return this->Refiner.GetCornerOfThird(corner, i); }
-    Id GetCornerInFan(Id corner) const { return this->Refiner.GetCornerInFan(corner, this->Out); }
-  };
-
-  bool IsCut(Id corner) const { return this->Children.HasThirds() && this->IsFixed(corner); }
-  bool IsFixed(Id corner) const { return this->Children.IsFixed(corner); }
-  bool RunsAlong(Id corner) const
-  {
-    return this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner]] == this->Mesh.Vertices[corner];
-  }
-  bool IsSharp(vtkIdType edge) const { return subdivision::IsSharp(this->Level.Tags.Edges[edge]); }
 
   /// The child across the edge of a corner.
   template <typename Out>
-  void SetChild(Id corner, Out* child) const
+  void SetChild(Id corner, Out* ids) const
   {
+    Out* child = ids + 3 * vtkIdType(corner);
     const Id next = this->Mesh.Next(corner);
     const Id a = this->Mesh.Vertices[corner];
     const Id b = this->Mesh.Vertices[next];
@@ -147,6 +53,82 @@ private:
     child[2] = isSecond ? other : own;
   }
 
+  void SetFace(Id face, PolygonMesh<Id>& out) const
+  {
+    if (out.Edges.empty())
+    {
+      this->SetTwins(face, out);
+      return;
+    }
+    this->SetAcross(face, out);
+    this->SetInside(face, out);
+  }
+  Id GetOnPiece(Id corner, int i) const
+  {
+    const bool isWhole = !this->Children.HasThirds() || i == 1;
+    return isWhole
+      ? 3 * corner
+      : this->GetOuterSide(corner, this->Mesh.EdgeVertices[2 * this->Mesh.Edges[corner] + i / 2]);
+  }
+  void SetEdgeVertices(PolygonMesh<Id>& out) const
+  {
+    ForEach(this->Mesh.GetNumberOfEdges(),
+      [&](vtkIdType e)
+      {
+        const Id edge = static_cast<Id>(e);
+        const Id* old = this->Mesh.EdgeVertices.data() + 2 * e;
+        Id* ends = out.EdgeVertices.data() + 2 * e;
+        if (!this->IsSharp(e))
+        {
+          const Id corner = this->Mesh.EdgeCorners[e];
+          ends[0] = this->Children.GetApex(corner);
+          ends[1] = this->Children.GetApex(this->Mesh.Twins[corner]);
+        }
+        else if (this->Children.HasThirds())
+        {
+          ends[0] = this->Children.GetFirstPoint(edge);
+          ends[1] = ends[0] + 1;
+          Id* outer = out.EdgeVertices.data() + 2 * this->Children.GetPiece(edge, 0);
+          const Id pieces[4] = { old[0], ends[0], ends[1], old[1] };
+          std::copy(pieces, pieces + 4, outer);
+        }
+        else
+        {
+          std::copy(old, old + 2, ends);
+        }
+      });
+    ForEach(this->Mesh.NumberOfFaces,
+      [&](vtkIdType f)
+      {
+        const Id face = static_cast<Id>(f);
+        const Id centre = this->Children.GetCentre(face);
+        auto set = [&out](Id spoke, Id from, Id to)
+        {
+          out.EdgeVertices[2 * spoke] = from;
+          out.EdgeVertices[2 * spoke + 1] = to;
+        };
+        if (centre >= 0)
+        {
+          for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
+          {
+            set(this->Children.GetSpokeAtBegin(corner), centre, this->Mesh.Vertices[corner]);
+          }
+          return;
+        }
+        const Id cut = this->Children.GetCutCorner(face);
+        const Id apex = this->Mesh.Vertices[this->Mesh.Previous(cut)];
+        const Id edge = this->Mesh.Edges[cut];
+        for (const bool atEnd : { false, true })
+        {
+          const Id end = this->Mesh.Vertices[atEnd ? this->Mesh.Next(cut) : cut];
+          set(this->Children.GetCutSpoke(cut, atEnd), this->Children.GetThirdNear(edge, end), apex);
+        }
+      });
+  }
+
+private:
+  bool IsCut(Id corner) const { return this->Children.HasThirds() && this->IsFixed(corner); }
+  bool IsFixed(Id corner) const { return this->Children.IsFixed(corner); }
   /// Sets the half-edges of the next level that are not inside a face: on flipped edges, between
   /// two apexes, and on fixed edges or their middle thirds.
   void SetAcross(Id face, PolygonMesh<Id>& out) const
@@ -224,131 +206,6 @@ private:
     return this->Mesh.Vertices[cut] == vertex ? this->Children.GetOuterSideAtBegin(cut)
                                               : this->Children.GetOuterSideAtEnd(cut);
   }
-
-  void SetFreeEdges(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.GetNumberOfEdges(),
-      [&](vtkIdType e)
-      {
-        if (this->Mesh.EdgeCorners[e] < 0)
-        {
-          out.EdgeCorners[e] = -1;
-          for (int i = 0; i < 2 && this->Children.HasThirds(); ++i)
-          {
-            out.EdgeCorners[this->GetOuter(static_cast<Id>(e), i)] = -1;
-          }
-        }
-      });
-  }
-  /// The outer third of an edge at one of its ends.
-  Id GetOuter(Id edge, int end) const
-  {
-    return this->Children.GetOuterEdge(edge, this->Mesh.EdgeVertices[2 * edge + end]);
-  }
-
-  void SetEdgeVertices(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.GetNumberOfEdges(),
-      [&](vtkIdType e)
-      {
-        const Id edge = static_cast<Id>(e);
-        const Id* old = this->Mesh.EdgeVertices.data() + 2 * e;
-        Id* ends = out.EdgeVertices.data() + 2 * e;
-        if (!this->IsSharp(e))
-        {
-          const Id corner = this->Mesh.EdgeCorners[e];
-          ends[0] = this->Children.GetApex(corner);
-          ends[1] = this->Children.GetApex(this->Mesh.Twins[corner]);
-        }
-        else if (this->Children.HasThirds())
-        {
-          ends[0] = this->Children.GetThird(edge);
-          ends[1] = ends[0] + 1;
-          Id* outer = out.EdgeVertices.data() + 2 * this->GetOuter(edge, 0);
-          const Id pieces[4] = { old[0], ends[0], ends[1], old[1] };
-          std::copy(pieces, pieces + 4, outer);
-        }
-        else
-        {
-          std::copy(old, old + 2, ends);
-        }
-      });
-    ForEach(this->Mesh.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id face = static_cast<Id>(f);
-        const Id centre = this->Children.GetCentre(face);
-        auto set = [&out](Id spoke, Id from, Id to)
-        {
-          out.EdgeVertices[2 * spoke] = from;
-          out.EdgeVertices[2 * spoke + 1] = to;
-        };
-        if (centre >= 0)
-        {
-          for (Id corner = 3 * face; corner < 3 * face + 3; ++corner)
-          {
-            set(this->Children.GetSpokeAtBegin(corner), centre, this->Mesh.Vertices[corner]);
-          }
-          return;
-        }
-        const Id cut = this->Children.GetCutCorner(face);
-        const Id apex = this->Mesh.Vertices[this->Mesh.Previous(cut)];
-        const Id edge = this->Mesh.Edges[cut];
-        for (const bool atEnd : { false, true })
-        {
-          const Id end = this->Mesh.Vertices[atEnd ? this->Mesh.Next(cut) : cut];
-          set(this->Children.GetCutSpoke(cut, atEnd), this->Children.GetThirdNear(edge, end), apex);
-        }
-      });
-  }
-
-  /// A corner of the next level at the vertex of an old corner, in the same fan.
-  Id GetCornerInFan(Id corner, const PolygonMesh<Id>& out) const
-  {
-    const Id side = this->Children.GetSideOfCorner(corner);
-    return out.Vertices[side] == this->Mesh.Vertices[corner] ? side : out.Next(side);
-  }
-
-  void SetVertexCorners(PolygonMesh<Id>& out) const
-  {
-    ForEach(this->Mesh.NumberOfVertices,
-      [&](vtkIdType v)
-      {
-        const Id corner = this->Mesh.VertexCorners[v];
-        out.VertexCorners[v] = corner < 0 ? corner : this->GetCornerInFan(corner, out);
-      });
-    ForEach(this->Mesh.NumberOfFaces,
-      [&](vtkIdType f)
-      {
-        const Id centre = this->Children.GetCentre(static_cast<Id>(f));
-        if (centre >= 0)
-        {
-          const Id side = this->Children.GetSideAtBegin(static_cast<Id>(3 * f));
-          out.VertexCorners[centre] = out.Vertices[side] == centre ? side : out.Next(side);
-        }
-      });
-    ForEach(this->Children.HasThirds() ? this->Mesh.GetNumberOfEdges() : 0,
-      [&](vtkIdType e)
-      {
-        const Id corner = this->Mesh.EdgeCorners[e];
-        if (this->IsSharp(e))
-        {
-          for (int i = 0; i < 2; ++i) // -1 for free edges until SplitJoints
-          {
-            out.VertexCorners[this->Children.GetThird(static_cast<Id>(e)) + i] =
-              corner < 0 ? -1 : this->GetCornerOfThird(corner, i);
-          }
-        }
-      });
-  }
-  Id GetCornerOfThird(Id cut, int third) const
-  {
-    return 3 * cut + (this->RunsAlong(cut) ? third : 1 - third);
-  }
-
-  const SurfaceLevel<Id>& Level;
-  const PolygonMesh<Id>& Mesh;
-  SqrtThreeTopology<Id> Children;
 };
 
 }
@@ -392,58 +249,10 @@ void SqrtThreeRefinement<Id>::Prepare(SurfaceLevel<Id>& level) const
   places[mesh.GetNumberOfEdges() + 1] = thirds[mesh.GetNumberOfEdges()];
 }
 
-namespace
-{
-
-/// `ofEdges`: the tags of edges too.
-template <typename Id>
-SurfaceTags<Id> MakeTags(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, bool ofEdges)
-{
-  const SqrtThreeTopology<Id> children(level);
-  const vtkIdType edges = level.Mesh.GetNumberOfEdges();
-  const vtkIdType centres = level.Mesh.NumberOfVertices + children.Centres;
-  SurfaceTags<Id> out;
-  out.Edges = Buffer<EdgeTag>(ofEdges ? children.GetNumberOfEdges() : 0);
-  out.Vertices = Buffer<VertexTag>(children.GetNumberOfVertices());
-  ForEach(out.Edges.size(),
-    [&](vtkIdType e)
-    {
-      out.Edges[e] = e < edges            ? tags.Edges[e]
-        : e < edges + 2 * children.Thirds ? EdgeTag::Sharp
-                                          : EdgeTag::Smooth;
-    });
-  ForEach(out.Vertices.size(),
-    [&](vtkIdType v)
-    {
-      out.Vertices[v] = v < level.Mesh.NumberOfVertices ? tags.Vertices[v]
-        : v < centres                                   ? VertexTag::Smooth
-                                                        : VertexTag::Curve;
-    });
-  out.Sectors = tags.Sectors;
-  MoveSectors(
-    level.Mesh, tags, [&](Id fixed, Id vertex) { return children.GetCornerAtEnd(fixed, vertex); },
-    out.Sectors);
-  return out;
-}
-
-}
-
-template <typename Id>
-SurfaceTags<Id> SqrtThreeRefinement<Id>::RefineTags(
-  const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags) const
-{
-  return MakeTags(level, tags, true);
-}
-
 template <typename Id>
 SurfaceLevel<Id> SqrtThreeRefinement<Id>::Refine(const SurfaceLevel<Id>& level, Depth depth) const
 {
-  SurfaceLevel<Id> next = SqrtThreeRefiner<Id>(level).Run(depth);
-  if (depth != Depth::ForCounts)
-  {
-    next.Tags = MakeTags(level, level.Tags, !next.Mesh.EdgeCorners.empty());
-  }
-  return next;
+  return this->RefineBy(SqrtThreeRefiner<Id>(level), level, depth);
 }
 
 template <typename Id>

@@ -6,9 +6,7 @@
 #include "Core/Surfaces/Scheme/CurveRows.h"
 #include "Core/Surfaces/Scheme/CurveTangents.h"
 #include "Core/Surfaces/Scheme/CycleRows.h"
-#include "Core/Surfaces/Scheme/FixedEdges.h"
 #include "Core/Surfaces/Scheme/RegularGroups.h"
-#include "Core/Surfaces/Scheme/TurnedSectors.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeMasks.h"
 #include "Core/Surfaces/SqrtThree/SqrtThreeRefinement.h"
 
@@ -40,9 +38,6 @@ public:
   {
     return faces * std::pow(3., steps);
   }
-  void RestrictTags(SurfaceLevel<Id>& level) const override { FixEdges(level); }
-  void GetParents(
-    const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const override;
   void CarryFaces(const SurfaceLevel<Id>& level, const Buffer<Carrier<Id>>& faces, bool areWhole,
     Buffer<Carrier<Id>>& children) const override;
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, vtkIdType begin,
@@ -179,29 +174,6 @@ void AppendSqrtThreeVertices(const SurfaceLevel<Id>& level, const SurfaceTags<Id
         std::all_of(columns + 1, columns + 7, isTaken);
     },
     other, rows);
-}
-
-template <typename Id>
-void SqrtThreeScheme<Id>::GetParents(
-  const SurfaceLevel<Id>& level, vtkIdType row, std::vector<vtkIdType>& parents) const
-{
-  const Topology topology(level);
-  const vtkIdType centre = row - level.Mesh.NumberOfVertices;
-  const vtkIdType third = centre - topology.Centres;
-  if (centre < 0)
-  {
-    parents.assign({ row });
-  }
-  else if (third < 0)
-  {
-    const Id* first = level.Mesh.Vertices.data() + 3 * topology.FindFace(static_cast<Id>(centre));
-    parents.assign(first, first + 3);
-  }
-  else
-  {
-    const Id edge = topology.FindCutEdge(static_cast<Id>(row));
-    parents.assign({ level.Mesh.EdgeVertices[2 * edge], level.Mesh.EdgeVertices[2 * edge + 1] });
-  }
 }
 
 template <typename Id>

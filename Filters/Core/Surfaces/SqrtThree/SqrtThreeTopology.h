@@ -65,7 +65,7 @@ public:
     , Tags(level.Tags)
     , Places(level.Places.empty() ? nullptr : level.Places.data())
     , IsEven(level.Step % 2 == 1)
-    , HasFixed(level.HasCurves)
+    , AnyFixed(level.HasCurves)
   {
     const vtkIdType edges = this->Mesh.GetNumberOfEdges();
     if (this->Places)
@@ -80,10 +80,13 @@ public:
     this->FirstSpoke = static_cast<Id>(edges) + 2 * this->Thirds;
   }
 
-  Id GetNumberOfVertices() const
+  Id GetEndOfCentres() const
   {
-    return static_cast<Id>(this->Mesh.NumberOfVertices) + this->Centres + 2 * this->Thirds;
+    return static_cast<Id>(this->Mesh.NumberOfVertices) + this->Centres;
   }
+  Id GetNumberOfVertices() const { return this->GetEndOfCentres() + 2 * this->Thirds; }
+  vtkIdType GetNumberOfFaces() const { return 3 * this->Mesh.NumberOfFaces; }
+  vtkIdType GetNumberOfCorners() const { return 9 * this->Mesh.NumberOfFaces; }
   Id GetNumberOfEdges() const
   {
     const Id faces = static_cast<Id>(this->Mesh.NumberOfFaces);
@@ -92,22 +95,37 @@ public:
 
   bool IsFixed(Id corner) const
   {
-    return this->HasFixed && IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]);
+    return this->AnyFixed && IsSharp(this->Tags.Edges[this->Mesh.Edges[corner]]);
   }
+  bool HasFixed() const { return this->AnyFixed; }
   /// Whether edges are cut into thirds.
   bool HasThirds() const { return this->Thirds > 0; }
+  int GetPiecesOfFixed() const { return this->HasThirds() ? 3 : 1; }
   /// The first of the two points that cut a fixed edge.
-  Id GetThird(Id edge) const { return this->Places[this->Mesh.NumberOfFaces + edge]; }
+  Id GetFirstPoint(Id edge) const { return this->Places[this->Mesh.NumberOfFaces + edge]; }
   /// The one of these two that is nearer to an end of the edge.
   Id GetThirdNear(Id edge, Id vertex) const
   {
-    return this->GetThird(edge) + (this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1);
+    return this->GetFirstPoint(edge) + (this->Mesh.EdgeVertices[2 * edge] == vertex ? 0 : 1);
   }
   /// The outer third of a fixed edge at one of its ends, as an edge of the next level.
   Id GetOuterEdge(Id edge, Id vertex) const
   {
     return static_cast<Id>(this->Mesh.GetNumberOfEdges()) + this->GetThirdNear(edge, vertex) -
-      static_cast<Id>(this->Mesh.NumberOfVertices) - this->Centres;
+      this->GetEndOfCentres();
+  }
+
+  /// A fixed edge, or one of its thirds: the middle third keeps its number.
+  Id GetPiece(Id edge, int i) const
+  {
+    const bool isWhole = !this->HasThirds() || i == 1;
+    return isWhole ? edge : this->GetOuterEdge(edge, this->Mesh.EdgeVertices[2 * edge + i / 2]);
+  }
+  EdgeTag GetEdgeTag(vtkIdType edge, const SurfaceTags<Id>& tags) const
+  {
+    return edge < this->Mesh.GetNumberOfEdges() ? tags.Edges[edge]
+      : edge < this->FirstSpoke                 ? EdgeTag::Sharp
+                                                : EdgeTag::Smooth;
   }
 
   /// The vertex at the centre of a face; -1: it has none.
@@ -180,7 +198,7 @@ public:
 
   /// A half-edge of the next level at the vertex of a corner, in the same fan: to the apex across
   /// the corner's edge or, if this edge is cut, to the point on it.
-  Id GetSideOfCorner(Id corner) const
+  Id GetHalfEdgeAt(Id corner) const
   {
     const bool isCut = this->GetCentre(corner / 3) < 0 && this->GetCutCorner(corner / 3) == corner;
     return isCut ? this->GetOuterSideAtBegin(corner) : this->GetSideAtBegin(corner);
@@ -200,9 +218,8 @@ public:
   const SurfaceTags<Id>& Tags;
   const Id* Places;
   const bool IsEven;
-  const bool HasFixed; ///< whether any edge is
-  Id Centres = 0;      ///< number of faces that get a centre
-  Id Thirds = 0;       ///< number of edges that are cut into thirds
+  Id Centres = 0; ///< number of faces that get a centre
+  Id Thirds = 0;  ///< number of edges that are cut into thirds
 
   /// The face of a centre, by its number.
   Id FindFace(Id centre) const
@@ -246,8 +263,7 @@ public:
     {
       return this->Thirds;
     }
-    return (this->GetThird(edge) - static_cast<Id>(this->Mesh.NumberOfVertices) - this->Centres) /
-      2;
+    return (this->GetFirstPoint(edge) - this->GetEndOfCentres()) / 2;
   }
 
 private:
@@ -270,6 +286,7 @@ private:
                            : this->GetOuterEdge(this->Mesh.Edges[cut], this->Mesh.Vertices[end]);
   }
 
+  const bool AnyFixed;
   Id FirstSpoke = 0;
 };
 
