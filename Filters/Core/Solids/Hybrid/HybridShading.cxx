@@ -2,9 +2,9 @@
 #include "Core/Solids/Hybrid/HybridShading.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Solids/Hybrid/HybridRowSum.h"
+#include "Core/Solids/Limits/ShadingParts.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -18,16 +18,6 @@ namespace
 
 /// Local matrices are full ones. Larger stars are those of the level.
 constexpr std::size_t MostItems = 200;
-
-/// What lies at a vertex: a corner of a face between two edges, or a line with one edge, or
-/// nothing.
-template <typename Id>
-struct ShadingPart
-{
-  Id Vertex;
-  Id Ends[2]; ///< of the edges; -1: none
-  Id Face;
-};
 
 /// The rows of the far ends of some edges at a vertex, seen from there.
 template <typename Id>
@@ -151,7 +141,6 @@ template <typename Id>
 class HybridShadingBuilder
 {
 public:
-  using Stars = ShadingStars<Id>;
   using Part = ShadingPart<Id>;
 
   HybridShadingBuilder(const HybridLevel<Id>& level, const std::vector<vtkIdType>& controls,
@@ -164,23 +153,37 @@ public:
   {
   }
 
-  Stars Build(int made)
+  ShadingStars<Id> Build(int made)
   {
     this->Collect();
-    const Rows<vtkIdType> parts = ListByRow<vtkIdType>(
-      this->Complex.NumberOfVertices, static_cast<vtkIdType>(this->Parts.size()),
-      [this](vtkIdType i) { return this->Parts[static_cast<std::size_t>(i)].Vertex; },
-      [](vtkIdType i) { return i; });
-    for (const Id v : InTurn(static_cast<Id>(this->Complex.NumberOfVertices)))
-    {
-      if (parts[v].size() > 0)
+    this->Parts.ListStars(
+      this->Complex.NumberOfVertices, [](Id vertex) { return vertex; },
+      [this](const Part& part, typename ShadingStars<Id>::Corner& corner)
       {
-        this->AddStar(v, parts[v]);
-      }
-    }
-    this->Found.Stars.push_back(this->GetEnd());
-    this->MakeRows(made);
-    return std::move(this->Found);
+        corner.Side = this->Faces.IsSide(part.Face)
+          ? this->Faces.GetSide(part.Face, part.Vertex, part.Edges[0])
+          : -1;
+        const Id polygon = corner.Side < 0 ? this->Polygons[part.Face] : Id(-1);
+        corner.Parent = polygon < 0
+          ? polygon
+          : static_cast<Id>(this->Controls[static_cast<std::size_t>(polygon)]);
+      });
+    const HybridRows<Id> step(this->Here, HybridRules::Smooth);
+    vtkSMPThreadLocal<std::shared_ptr<StarRowMaker<Id>>> makers; // each keeps its solutions
+    return this->Parts.MakeRows(this->Complex.NumberOfVertices,
+      [&]
+      {
+        auto& maker = makers.Local();
+        if (!maker)
+        {
+          maker = std::make_shared<StarRowMaker<Id>>(this->Here, step, made);
+        }
+        return [this, maker](vtkIdType star, RowBlock<Id>& rows)
+        {
+          maker->Append(this->Parts.GetVertex(star), this->Parts.GetEdges(star),
+            this->Parts.GetCorners(star), rows);
+        };
+      });
   }
 
 private:
@@ -236,112 +239,8 @@ private:
   {
     if (this->Missing[part.Vertex])
     {
-      this->Parts.push_back(part);
+      this->Parts.Add(part);
     }
-  }
-
-  typename Stars::Star GetEnd() const
-  {
-    typename Stars::Star end;
-    end.FirstRow = this->NumberOfRows;
-    end.FirstCorner = static_cast<vtkIdType>(this->Found.Corners.size());
-    end.FirstLine = static_cast<vtkIdType>(this->Found.Lines.size());
-    return end;
-  }
-
-  /// Adds a star whose rows are not made yet.
-  void AddStar(Id vertex, const Row<vtkIdType>& parts)
-  {
-    typename Stars::Star star = this->GetEnd();
-    star.Row = vertex;
-    std::vector<Id> ends;
-    const auto number = [&ends](Id end)
-    {
-      const auto at = std::find(ends.begin(), ends.end(), end);
-      const auto place = static_cast<Id>(at - ends.begin());
-      at == ends.end() ? ends.push_back(end) : void();
-      return place;
-    };
-    for (const vtkIdType i : parts)
-    {
-      const Part& part = this->Parts[static_cast<std::size_t>(i)];
-      if (part.Face >= 0)
-      {
-        const vtkIdType side = this->Faces.IsSide(part.Face)
-          ? this->Faces.GetSide(part.Face, part.Vertex, part.Ends[0])
-          : -1;
-        const Id first = number(part.Ends[0]);
-        const Id polygon = side < 0 ? this->Polygons[part.Face] : Id(-1);
-        this->Found.Corners.push_back({ { first, number(part.Ends[1]) },
-          polygon < 0 ? polygon
-                      : static_cast<Id>(this->Controls[static_cast<std::size_t>(polygon)]),
-          side });
-      }
-      else if (part.Ends[0] >= 0 && star.FirstCorner == this->GetEnd().FirstCorner)
-      {
-        this->Found.Lines.push_back(number(part.Ends[0]));
-      }
-    }
-    this->NumberOfRows += static_cast<vtkIdType>(ends.size());
-    this->Ends.push_back(std::move(ends));
-    this->Found.Stars.push_back(star);
-  }
-
-  void MakeRows(int made)
-  {
-    const HybridRows<Id> step(this->Here, HybridRules::Smooth);
-    using Maker = StarRowMaker<Id>;
-    vtkSMPThreadLocal<std::shared_ptr<Maker>> makers; // each keeps its solutions
-    const auto size = static_cast<vtkIdType>(this->Ends.size());
-    std::vector<RowBlock<Id>> blocks(static_cast<std::size_t>(size));
-    ForRangesOfBlocks(
-      size,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        auto& maker = makers.Local();
-        if (!maker)
-        {
-          maker = std::make_shared<Maker>(this->Here, step, made);
-        }
-        for (vtkIdType s = begin; s < end; ++s)
-        {
-          const auto place = static_cast<std::size_t>(s);
-          std::vector<std::array<int, 2>> corners;
-          for (vtkIdType i = this->Found.Stars[place].FirstCorner;
-            i < this->Found.Stars[place + 1].FirstCorner; ++i)
-          {
-            const Id* ends = this->Found.Corners[static_cast<std::size_t>(i)].Ends;
-            corners.push_back({ { static_cast<int>(ends[0]) + 1, static_cast<int>(ends[1]) + 1 } });
-          }
-          maker->Append(this->Found.Stars[place].Row, this->Ends[place], corners, blocks[place]);
-        }
-      },
-      64);
-    this->Store(blocks);
-  }
-
-  void Store(const std::vector<RowBlock<Id>>& blocks)
-  {
-    SparseRows<Id>& rows = this->Found.Rows;
-    rows.NumberOfColumns = this->Complex.NumberOfVertices;
-    rows.Offsets = Buffer<Id>(this->NumberOfRows + 1, Id(0));
-    std::vector<Id> columns;
-    std::vector<double> weights;
-    vtkIdType row = 0;
-    for (const RowBlock<Id>& block : InTurn(blocks))
-    {
-      for (std::size_t r = 0; r < block.GetNumberOfRows(); ++r)
-      {
-        rows.Offsets[++row] = static_cast<Id>(columns.size() + block.GetEnd(r));
-      }
-      const std::size_t size = block.GetNumberOfEntries();
-      columns.insert(columns.end(), block.GetColumns(), block.GetColumns() + size);
-      weights.insert(weights.end(), block.GetWeights(), block.GetWeights() + size);
-    }
-    rows.Columns = Buffer<Id>(static_cast<vtkIdType>(columns.size()));
-    rows.Weights = Buffer<double>(static_cast<vtkIdType>(weights.size()));
-    std::copy(columns.begin(), columns.end(), rows.Columns.begin());
-    std::copy(weights.begin(), weights.end(), rows.Weights.begin());
   }
 
   const HybridLevel<Id>& Here;
@@ -350,10 +249,7 @@ private:
   const std::vector<vtkIdType>& Controls;
   const Buffer<unsigned char>& Missing;
   Buffer<Id> Polygons;
-  std::vector<Part> Parts;
-  Stars Found;
-  vtkIdType NumberOfRows = 0;
-  std::vector<std::vector<Id>> Ends; ///< of each star; its rows in this order
+  ShadingParts<Id> Parts; ///< an edge by its other end
 };
 
 }

@@ -2,15 +2,12 @@
 #include "Core/Solids/Limits/ShadingStars.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Operators/BlockOperator.h"
 #include "Core/Operators/ShadingNormals.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
 #include "Core/Solids/Complex/Simplices.h"
 #include "Core/Solids/Limits/LevelStar.h"
+#include "Core/Solids/Limits/ShadingParts.h"
 #include "Core/Solids/Limits/SolidsAtFaces.h"
-
-#include <array>
-#include <utility>
 
 namespace subdivision
 {
@@ -31,16 +28,6 @@ ShadingCells<typename Level::IdType> FindShadingCells(const Level& level, int st
 
 namespace
 {
-
-/// What lies at a vertex: a corner of a triangle with two edges and their solid, or a line with one
-/// edge, or nothing.
-template <typename Id>
-struct ShadingPart
-{
-  Id Vertex;
-  Id Edges[2];
-  Id Face;
-};
 
 template <typename Scheme>
 class ShadingBuilder
@@ -64,40 +51,40 @@ public:
   ShadingStars<Id> Build(int made)
   {
     this->Collect();
-    const Rows<vtkIdType> parts = ListByRow<vtkIdType>(
-      this->Complex.NumberOfVertices, static_cast<vtkIdType>(this->Parts.size()),
-      [this](vtkIdType i) { return this->Parts[i].Vertex; }, [](vtkIdType i) { return i; });
-    std::vector<Id> vertices;
-    for (const Id v : InTurn(static_cast<Id>(this->Complex.NumberOfVertices)))
-    {
-      if (parts[v].size() > 0)
+    this->Parts.ListStars(
+      this->Complex.NumberOfVertices, [this](Id vertex) { return this->RowsOf[vertex]; },
+      [this](const Part& part, typename ShadingStars<Id>::Corner& corner)
       {
-        vertices.push_back(v);
-        this->AddStar(v, parts[v]);
-      }
-    }
-    this->Found.Stars.push_back(this->GetEnd());
-    this->MakeRows(vertices, made);
-    return std::move(this->Found);
+        const auto face = static_cast<std::size_t>(part.Face);
+        corner.Side = this->GetSide(part);
+        corner.Parent = corner.Side < 0 && face < this->Cells.Triangles.size()
+          ? this->Cells.Triangles[face]
+          : Id(-1);
+      });
+    using Maker = LimitRowMaker<LevelStar<Scheme>>;
+    return this->Parts.MakeRows(this->Complex.NumberOfVertices,
+      [&]
+      {
+        auto maker = std::make_shared<Maker>(this->Here, this->Creases, this->Sharp);
+        return [this, maker, made](vtkIdType star, RowBlock<Id>& rows)
+        {
+          for (const LimitRow<Id>& row : this->MakeStar(*maker, star, made))
+          {
+            for (std::size_t k = 0; k < row.Columns.size(); ++k)
+            {
+              rows.Add(row.Columns[k], row.Weights[k]);
+            }
+            rows.EndRow();
+          }
+        };
+      });
   }
 
 private:
-  using Stars = ShadingStars<Id>;
-
   void Collect();
-  void AddStar(Id vertex, const Row<vtkIdType>& parts);
   vtkIdType GetSide(const Part& part) const;
-  typename Stars::Star GetEnd() const
-  {
-    typename Stars::Star end;
-    end.FirstRow = this->NumberOfRows;
-    end.FirstCorner = static_cast<vtkIdType>(this->Found.Corners.size());
-    end.FirstLine = static_cast<vtkIdType>(this->Found.Lines.size());
-    return end;
-  }
-  void MakeRows(const std::vector<Id>& vertices, int made);
   std::vector<LimitRow<Id>> MakeStar(
-    LimitRowMaker<LevelStar<Scheme>>& maker, vtkIdType star, Id vertex, int made) const;
+    LimitRowMaker<LevelStar<Scheme>>& maker, vtkIdType star, int made) const;
   Id GetFarEnd(const Part& part, int side) const
   {
     return this->Complex.GetOtherEnd(part.Edges[side], part.Vertex);
@@ -110,10 +97,7 @@ private:
   const SolidsAtFaces<Scheme> Solids;
   const ShadingCells<Id>& Cells;
   const Buffer<Id>& RowsOf;
-  std::vector<Part> Parts;
-  Stars Found;
-  vtkIdType NumberOfRows = 0;
-  std::vector<std::vector<Id>> Edges; ///< of each star; its rows in this order
+  ShadingParts<Id> Parts; ///< their edges are those of the level
 };
 
 template <typename Scheme>
@@ -133,7 +117,7 @@ void ShadingBuilder<Scheme>::Collect()
         const int* local = triangle::EdgesAt[k];
         const Id next = corners[(k + 1) % 3];
         const bool isFirst = this->Complex.GetOtherEnd(edges[local[0]], corners[k]) == next;
-        this->Parts.push_back(
+        this->Parts.Add(
           { corners[k], { edges[local[isFirst ? 0 : 1]], edges[local[isFirst ? 1 : 0]] }, f });
       }
     }
@@ -145,7 +129,7 @@ void ShadingBuilder<Scheme>::Collect()
       const Id vertex = this->Complex.EdgeVertices[2 * e + end];
       if (isMissing(vertex))
       {
-        this->Parts.push_back({ vertex, { static_cast<Id>(e), Id(-1) }, Id(-1) });
+        this->Parts.Add({ vertex, { static_cast<Id>(e), Id(-1) }, Id(-1) });
       }
     }
   }
@@ -153,7 +137,7 @@ void ShadingBuilder<Scheme>::Collect()
   {
     if (isMissing(vertex))
     {
-      this->Parts.push_back({ vertex, { Id(-1), Id(-1) }, Id(-1) });
+      this->Parts.Add({ vertex, { Id(-1), Id(-1) }, Id(-1) });
     }
   }
 }
@@ -171,58 +155,15 @@ vtkIdType ShadingBuilder<Scheme>::GetSide(const Part& part) const
   return side;
 }
 
-/// Adds a star whose rows are not made yet: corners and lines name edges by their order.
-template <typename Scheme>
-void ShadingBuilder<Scheme>::AddStar(Id vertex, const Row<vtkIdType>& parts)
-{
-  Stars& found = this->Found;
-  typename Stars::Star star = this->GetEnd();
-  star.Row = this->RowsOf[vertex];
-  std::vector<Id> edges;
-  const auto number = [&edges](Id edge)
-  {
-    const auto at = std::find(edges.begin(), edges.end(), edge);
-    const auto place = static_cast<Id>(at - edges.begin());
-    at == edges.end() ? edges.push_back(edge) : void();
-    return place;
-  };
-  for (const vtkIdType i : parts)
-  {
-    const Part& part = this->Parts[i];
-    if (part.Face >= 0)
-    {
-      const auto face = static_cast<std::size_t>(part.Face);
-      const vtkIdType side = this->GetSide(part);
-      const Id first = number(part.Edges[0]);
-      found.Corners.push_back({ { first, number(part.Edges[1]) },
-        side < 0 && face < this->Cells.Triangles.size() ? this->Cells.Triangles[face] : Id(-1),
-        side });
-    }
-    else if (part.Edges[0] >= 0 && star.FirstCorner == this->GetEnd().FirstCorner)
-    {
-      found.Lines.push_back(number(part.Edges[0]));
-    }
-  }
-  this->NumberOfRows += static_cast<vtkIdType>(edges.size());
-  this->Edges.push_back(std::move(edges));
-  found.Stars.push_back(star);
-}
-
 /// The rows of a star. Where a curve goes through and no triangle is, they are those of the level:
 /// their chord is that of the limit.
 template <typename Scheme>
 std::vector<LimitRow<typename Scheme::Id>> ShadingBuilder<Scheme>::MakeStar(
-  LimitRowMaker<LevelStar<Scheme>>& maker, vtkIdType star, Id vertex, int made) const
+  LimitRowMaker<LevelStar<Scheme>>& maker, vtkIdType star, int made) const
 {
-  const std::vector<Id>& edges = this->Edges[star];
-  const auto& own = this->Found.Stars[star];
-  const vtkIdType end = this->Found.Stars[star + 1].FirstCorner;
-  std::vector<std::array<int, 2>> corners;
-  for (vtkIdType i = own.FirstCorner; i < end; ++i)
-  {
-    const Id* ends = this->Found.Corners[i].Ends;
-    corners.push_back({ { static_cast<int>(ends[0]) + 1, static_cast<int>(ends[1]) + 1 } });
-  }
+  const Id vertex = this->Parts.GetVertex(star);
+  const std::vector<Id>& edges = this->Parts.GetEdges(star);
+  const std::vector<std::array<int, 2>> corners = this->Parts.GetCorners(star);
   const bool isCurve = corners.empty() && edges.size() == 2 &&
     this->Here.Strata.Vertices[vertex].GetRule() == Rule::Curve &&
     this->Sharp.GetMostSharpness(vertex) <= 0.;
@@ -236,34 +177,6 @@ std::vector<LimitRow<typename Scheme::Id>> ShadingBuilder<Scheme>::MakeStar(
     return rows;
   }
   return maker.MakeStar(vertex, edges, corners, made);
-}
-
-template <typename Scheme>
-void ShadingBuilder<Scheme>::MakeRows(const std::vector<Id>& vertices, int made)
-{
-  const std::vector<typename Stars::Star>& stars = this->Found.Stars;
-  const auto append = [&](vtkIdType begin, vtkIdType end, RowBlock<Id>& rows)
-  {
-    LimitRowMaker<LevelStar<Scheme>> maker(this->Here, this->Creases, this->Sharp);
-    vtkIdType star = std::upper_bound(stars.begin(), stars.end(), begin,
-                       [](vtkIdType row, const auto& other) { return row < other.FirstRow; }) -
-      stars.begin() - 1;
-    for (vtkIdType row = begin; row < end; ++star)
-    {
-      const std::vector<LimitRow<Id>> own = this->MakeStar(maker, star, vertices[star], made);
-      for (; row < std::min(end, stars[star + 1].FirstRow); ++row)
-      {
-        const LimitRow<Id>& found = own[row - stars[star].FirstRow];
-        for (std::size_t k = 0; k < found.Columns.size(); ++k)
-        {
-          rows.Add(found.Columns[k], found.Weights[k]);
-        }
-        rows.EndRow();
-      }
-    }
-  };
-  this->Found.Rows =
-    BlockOperator<Id>(this->Complex.NumberOfVertices, this->NumberOfRows, append).Store();
 }
 
 }
