@@ -3,6 +3,7 @@
 
 #include "Private/Distribution/Dimensions.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
@@ -25,12 +26,8 @@ void vtkExtractDimensions::AddOutputDimension(int dimension)
 
 int vtkExtractDimensions::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  for (const char* type : { "vtkUnstructuredGrid", "vtkPolyData", "vtkDataObjectTree" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
-  return 1;
+  return subdivision::TakeTypes(
+    info, { "vtkUnstructuredGrid", "vtkPolyData", "vtkDataObjectTree" });
 }
 
 int vtkExtractDimensions::RequestData(

@@ -8,6 +8,7 @@
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Reading/SelectedParts.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Run/RunOptions.h"
 
 #include "vtkCellData.h"
@@ -58,22 +59,10 @@ vtkMarkedSubdivisionAlgorithm::~vtkMarkedSubdivisionAlgorithm() = default;
 
 int vtkMarkedSubdivisionAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
-    return 1;
-  }
-  for (const char* type : { "vtkUnstructuredGrid", "vtkPolyData", "vtkDataObjectTree" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
-  return 1;
+  return port == 0 ? this->Superclass::FillInputPortInformation(port, info)
+    : port == 1    ? subdivision::TakeTypes(info, { "vtkSelection" }, true)
+                   : subdivision::TakeTypes(
+                    info, { "vtkUnstructuredGrid", "vtkPolyData", "vtkDataObjectTree" }, true);
 }
 
 void vtkMarkedSubdivisionAlgorithm::SetMarkSelectionConnection(vtkAlgorithmOutput* output)
@@ -86,14 +75,7 @@ void vtkMarkedSubdivisionAlgorithm::SetCreaseConnection(vtkAlgorithmOutput* outp
   this->SetInputConnection(2, output);
 }
 
-void vtkMarkedSubdivisionAlgorithm::SetMarkFunction(vtkImplicitFunction* function)
-{
-  if (this->MarkFunction != function)
-  {
-    this->MarkFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkMarkedSubdivisionAlgorithm, MarkFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkMarkedSubdivisionAlgorithm::GetMarkFunction() const
 {

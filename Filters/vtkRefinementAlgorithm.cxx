@@ -5,6 +5,7 @@
 #include "Private/Criteria/RefinementInput.h"
 #include "Private/Reading/SelectedParts.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Run/RunOptions.h"
 
 #include "vtkCellData.h"
@@ -27,13 +28,8 @@ vtkRefinementAlgorithm::~vtkRefinementAlgorithm() = default;
 
 int vtkRefinementAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return port == 0 ? this->Superclass::FillInputPortInformation(port, info)
+                   : subdivision::TakeTypes(info, { "vtkSelection" }, true);
 }
 
 void vtkRefinementAlgorithm::SetSelectionConnection(vtkAlgorithmOutput* output)
@@ -41,14 +37,7 @@ void vtkRefinementAlgorithm::SetSelectionConnection(vtkAlgorithmOutput* output)
   this->SetInputConnection(1, output);
 }
 
-void vtkRefinementAlgorithm::SetImplicitFunction(vtkImplicitFunction* function)
-{
-  if (this->ImplicitFunction != function)
-  {
-    this->ImplicitFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkRefinementAlgorithm, ImplicitFunction, vtkImplicitFunction);
 
 vtkImplicitFunction* vtkRefinementAlgorithm::GetImplicitFunction() const
 {

@@ -14,6 +14,7 @@
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/ControlCounts.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Run/ToldWarnings.h"
 #include "Private/Surface/FaceCounts.h"
 #include "Private/Surface/SurfaceInput.h"
@@ -49,14 +50,7 @@ vtkSubdivisionAlgorithm::vtkSubdivisionAlgorithm()
 }
 vtkSubdivisionAlgorithm::~vtkSubdivisionAlgorithm() = default;
 
-void vtkSubdivisionAlgorithm::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Controller != controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkSubdivisionAlgorithm, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkSubdivisionAlgorithm::GetController() const
 {
@@ -106,15 +100,10 @@ bool vtkSubdivisionAlgorithm::SharesRanks() const
 
 int vtkSubdivisionAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
   // Without the last two VTK would run the filter once for each block.
-  for (const char* type :
+  return subdivision::TakeTypes(info,
     { "vtkUnstructuredGrid", "vtkPolyData", "vtkImageData", "vtkRectilinearGrid",
-      "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
-  return 1;
+      "vtkStructuredGrid", "vtkExplicitStructuredGrid", "vtkDataObjectTree", "vtkUniformGridAMR" });
 }
 
 /// RequestDataObject makes the output, which may be a composite data set.

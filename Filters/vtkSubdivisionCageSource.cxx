@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -138,14 +139,7 @@ void vtkSubdivisionCageSource::SetNumberOfCells(int x, int y, int z)
   }
 }
 
-void vtkSubdivisionCageSource::SetController(vtkMultiProcessController* controller)
-{
-  if (this->Controller != controller)
-  {
-    this->Controller = controller;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkSubdivisionCageSource, Controller, vtkMultiProcessController);
 
 vtkMultiProcessController* vtkSubdivisionCageSource::GetController() const
 {
@@ -154,10 +148,7 @@ vtkMultiProcessController* vtkSubdivisionCageSource::GetController() const
 
 int vtkSubdivisionCageSource::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return subdivision::TakeTypes(info, { "vtkDataSet", "vtkCompositeDataSet" }, true);
 }
 
 int vtkSubdivisionCageSource::RequestInformation(

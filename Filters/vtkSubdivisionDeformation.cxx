@@ -8,6 +8,7 @@
 #include "Private/Distribution/GatheredMesh.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkCellType.h"
 #include "vtkDataObject.h"
@@ -58,12 +59,8 @@ int vtkSubdivisionDeformation::FillInputPortInformation(int port, vtkInformation
 {
   if (port == 0)
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
-    for (const char* type : { "vtkImageData", "vtkRectilinearGrid", "vtkDataObjectTree" })
-    {
-      info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-    }
-    return 1;
+    return subdivision::TakeTypes(
+      info, { "vtkPointSet", "vtkImageData", "vtkRectilinearGrid", "vtkDataObjectTree" });
   }
   // Not required, so that RequestData can tell all missing inputs in one error.
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -132,21 +129,11 @@ int vtkSubdivisionDeformation::ExecuteInformation(
 int vtkSubdivisionDeformation::ComputeInputUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   for (int port = 1; port < 3; ++port)
   {
-    vtkInformation* info = inputVector[port]->GetInformationObject(0);
-    if (info)
+    if (vtkInformation* const info = inputVector[port]->GetInformationObject(0))
     {
-      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-      if (info->Has(Pipeline::WHOLE_EXTENT())) // that of a structured object is of no use here
-      {
-        int whole[6];
-        info->Get(Pipeline::WHOLE_EXTENT(), whole);
-        info->Set(Pipeline::UPDATE_EXTENT(), whole, 6);
-      }
+      subdivision::AskForWhole(info); // the extent of a structured object is of no use here
     }
   }
   return 1;

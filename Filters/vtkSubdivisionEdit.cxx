@@ -5,6 +5,7 @@
 #include "Private/Edit/EditMesh.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -109,21 +110,8 @@ void vtkSubdivisionEdit::RemoveAllPaintedArrays()
 
 int vtkSubdivisionEdit::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  if (port > 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
-    return 1;
-  }
-  for (const char* type : { "vtkPointSet", "vtkDataObjectTree" })
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), type);
-  }
-  return 1;
+  return port == 1 ? subdivision::TakeTypes(info, { "vtkSelection" }, true)
+                   : subdivision::TakeTypes(info, { "vtkPointSet", "vtkDataObjectTree" }, port > 0);
 }
 
 int vtkSubdivisionEdit::RequestData(

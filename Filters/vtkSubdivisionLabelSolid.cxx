@@ -8,7 +8,7 @@
 #include "Private/Labels/Materials.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
-#include "Private/Run/WholeInput.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkAlgorithmOutput.h"
 #include "vtkCallbackCommand.h"
@@ -127,14 +127,9 @@ void vtkSubdivisionLabelSolid::SetMaterialsConnection(vtkAlgorithmOutput* output
 
 int vtkSubdivisionLabelSolid::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkTable");
-  if (port == 0)
-  {
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkRectilinearGrid");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkStructuredGrid");
-  }
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port);
-  return 1;
+  return port == 0
+    ? subdivision::TakeTypes(info, { "vtkImageData", "vtkRectilinearGrid", "vtkStructuredGrid" })
+    : subdivision::TakeTypes(info, { "vtkTable" }, true);
 }
 
 int vtkSubdivisionLabelSolid::RequestInformation(

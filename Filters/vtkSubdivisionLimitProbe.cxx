@@ -4,6 +4,7 @@
 #include "Private/Distribution/Blocks.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Surface/SurfaceSubdivision.h"
 #include "Private/Uniform/HybridInput.h"
 #include "Private/Uniform/UniformSubdivision.h"
@@ -37,24 +38,15 @@ void vtkSubdivisionLimitProbe::SetPlacesConnection(vtkAlgorithmOutput* output)
 
 int vtkSubdivisionLimitProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port != PlacesPort)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // RequestData says what is missing
-  return 1;
+  return port == PlacesPort // RequestData says what is missing
+    ? subdivision::TakeTypes(info, { "vtkDataSet" }, true)
+    : this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkSubdivisionLimitProbe::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  if (!vtkPolyData::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
-  {
-    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
-  }
-  return 1;
+  return subdivision::MakeOutput<vtkPolyData>(outputVector);
 }
 
 int vtkSubdivisionLimitProbe::RequestData(

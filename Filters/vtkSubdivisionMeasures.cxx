@@ -4,6 +4,7 @@
 #include "Private/Measures/Measures.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -38,16 +39,9 @@ int vtkSubdivisionMeasures::FillOutputPortInformation(int, vtkInformation* info)
 int vtkSubdivisionMeasures::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!request) // for ComputeOperator and EvaluateLimit
-  {
-    return this->Superclass::RequestDataObject(request, inputVector, outputVector);
-  }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  if (!vtkTable::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
-  {
-    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkTable>());
-  }
-  return 1;
+  return request ? subdivision::MakeOutput<vtkTable>(outputVector)
+                 : this->Superclass::RequestDataObject( // for ComputeOperator and EvaluateLimit
+                     request, inputVector, outputVector);
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionMeasures::Finish(vtkDataObject* made)

@@ -4,8 +4,8 @@
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/InputArrays.h"
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Run/SizeChecks.h"
-#include "Private/Run/WholeInput.h"
 #include "Private/Samples/SampledObject.h"
 
 #include "vtkCellData.h"
@@ -102,13 +102,8 @@ vtkImageData* vtkSubdivisionSampler::GetOutput()
 
 int vtkSubdivisionSampler::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port < 3)
-  {
-    return this->Superclass::FillInputPortInformation(port, info);
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return port < 3 ? this->Superclass::FillInputPortInformation(port, info)
+                  : subdivision::TakeTypes(info, { "vtkImageData" }, true);
 }
 
 int vtkSubdivisionSampler::FillOutputPortInformation(int, vtkInformation* info)
@@ -120,16 +115,9 @@ int vtkSubdivisionSampler::FillOutputPortInformation(int, vtkInformation* info)
 int vtkSubdivisionSampler::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (!request) // for ComputeOperator and EvaluateLimit
-  {
-    return this->Superclass::RequestDataObject(request, inputVector, outputVector);
-  }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  if (!vtkImageData::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
-  {
-    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkImageData>());
-  }
-  return 1;
+  return request ? subdivision::MakeOutput<vtkImageData>(outputVector)
+                 : this->Superclass::RequestDataObject( // for ComputeOperator and EvaluateLimit
+                     request, inputVector, outputVector);
 }
 
 void vtkSubdivisionSampler::FailSampling(const std::string& text)

@@ -2,6 +2,7 @@
 #include "vtkSubdivisionSmoothness.h"
 
 #include "Private/Run/FilterRun.h"
+#include "Private/Run/Ports.h"
 #include "Private/Smoothness/SmoothnessProbe.h"
 #include "Private/Surface/SurfaceInput.h"
 
@@ -24,12 +25,7 @@ vtkSubdivisionSmoothness::~vtkSubdivisionSmoothness() = default;
 int vtkSubdivisionSmoothness::RequestDataObject(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  if (!vtkUnstructuredGrid::SafeDownCast(info->Get(vtkDataObject::DATA_OBJECT())))
-  {
-    info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkUnstructuredGrid>());
-  }
-  return 1;
+  return subdivision::MakeOutput<vtkUnstructuredGrid>(outputVector);
 }
 
 int vtkSubdivisionSmoothness::RequestData(
