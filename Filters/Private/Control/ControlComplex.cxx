@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/AllSchemes/VolumeSchemes.h"
+#include "Core/Solids/Complex/RunSimplices.h"
 #include "Private/Control/OpenPoints.h"
 
 #include <algorithm>
@@ -237,28 +238,20 @@ void AddDerivedSharpness(const SimplicialComplex<Id>& complex, ControlTraits& co
   const SharpTuples& derived = control.Derived;
   const vtkIdType firsts[3] = { 0, static_cast<vtkIdType>(derived.Tuples.Tuples[0].size()),
     static_cast<vtkIdType>(derived.Tuples.Tuples[0].size() + derived.Tuples.Tuples[1].size() / 2) };
-  const Buffer<Id>* twins[3] = { nullptr, &complex.EqualLines.Twins,
-    &complex.EqualTriangles.Twins };
   const Id sizes[3] = { 0, complex.NumberOfEdges, complex.NumberOfFaces };
   std::vector<double>* targets[3] = { nullptr, &control.Sharpness.Edges, &control.Sharpness.Faces };
-  for (const CellRun& run : control.DerivedRuns)
-  {
-    const int d = run.Dimension;
-    if (derived.Sharpness[d].empty())
+  ForSimplices(complex, control.DerivedRuns,
+    [&](vtkIdType place, int d, vtkIdType simplex, bool)
     {
-      continue;
-    }
-    targets[d]->resize(static_cast<std::size_t>(sizes[d]), 0.);
-    for (vtkIdType i = 0; i < run.Count; ++i)
-    {
-      const double sharpness =
-        derived.GetSharpness(d, static_cast<std::size_t>(run.FirstCell + i - firsts[d]));
-      const vtkIdType place =
-        run.Equal ? static_cast<vtkIdType>((*twins[d])[run.First + i]) : run.First + i;
-      double& value = (*targets[d])[static_cast<std::size_t>(place)];
-      value = std::isinf(sharpness) ? value : std::max(value, sharpness);
-    }
-  }
+      if (!derived.Sharpness[d].empty())
+      {
+        targets[d]->resize(static_cast<std::size_t>(sizes[d]), 0.);
+        const double sharpness =
+          derived.GetSharpness(d, static_cast<std::size_t>(place - firsts[d]));
+        double& value = (*targets[d])[static_cast<std::size_t>(simplex)];
+        value = std::isinf(sharpness) ? value : std::max(value, sharpness);
+      }
+    });
 }
 
 template <typename Id>

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Sorting.h"
 #include "Core/Rules/Pi.h"
+#include "Core/Solids/Complex/RunSimplices.h"
 
 #include "vtkVariant.h"
 
@@ -406,29 +407,19 @@ SolidSharpness FindSharpness(const FeatureValues& values, const SimplicialComple
   const std::vector<CellRun>& runs)
 {
   SolidSharpness sharpness;
-  const auto find =
-    [&](int dimension, vtkIdType size, const Buffer<Id>& twins, std::vector<double>& found)
-  {
-    for (const CellRun& run : runs)
+  std::vector<double>* found[4] = { nullptr, &sharpness.Edges, &sharpness.Faces, nullptr };
+  const vtkIdType sizes[4] = { 0, complex.NumberOfEdges, complex.NumberOfFaces, 0 };
+  ForSimplices(complex, values.Sharpness.empty() ? std::vector<CellRun>() : runs,
+    [&](vtkIdType place, int dimension, vtkIdType simplex, bool)
     {
-      for (vtkIdType i = 0; run.Dimension == dimension && i < run.Count; ++i)
+      const double value = values.Sharpness[place];
+      if (found[dimension] && value > 0.)
       {
-        const vtkIdType simplex =
-          run.Equal ? static_cast<vtkIdType>(twins[run.First + i]) : run.First + i;
-        const double value = values.Sharpness[run.FirstCell + i];
-        if (value > 0.)
-        {
-          found.resize(static_cast<std::size_t>(size), 0.);
-          found[simplex] = std::max(found[simplex], value);
-        }
+        found[dimension]->resize(static_cast<std::size_t>(sizes[dimension]), 0.);
+        double& own = (*found[dimension])[simplex];
+        own = std::max(own, value);
       }
-    }
-  };
-  if (!values.Sharpness.empty())
-  {
-    find(1, complex.NumberOfEdges, complex.EqualLines.Twins, sharpness.Edges);
-    find(2, complex.NumberOfFaces, complex.EqualTriangles.Twins, sharpness.Faces);
-  }
+    });
   return sharpness;
 }
 

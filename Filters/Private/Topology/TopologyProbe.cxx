@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Sorting.h"
 #include "Core/Solids/BoxSpline/BoxSplineScheme.h"
+#include "Core/Solids/Complex/RunSimplices.h"
 #include "Core/Solids/Strata/ComplexDescription.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
@@ -53,7 +54,7 @@ void VisitFaces(const SimplicialComplex<Id>& complex, int dimension, vtkIdType c
   switch (dimension)
   {
     case 0:
-      visit(0, complex.VertexCells.data() + cell, 1);
+      act(0, cell);
       break;
     case 1:
       visit(0, complex.EdgeVertices.data() + 2 * cell, 2);
@@ -302,18 +303,13 @@ private:
   void VisitCells(const ControlComplex<Id>& control, const Act& act) const
   {
     const SimplicialComplex<Id>& complex = control.Current.Complex;
-    const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins,
-      &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
-    for (const CellRun& run : control.Runs)
-    {
-      for (vtkIdType i = 0; i < run.Count; ++i)
+    ForSimplices(complex, control.Runs,
+      [&](vtkIdType place, int ofCell, vtkIdType number, bool)
       {
-        const vtkIdType cell = this->GetInputCell(run.FirstCell + i);
-        const vtkIdType at = run.First + i;
-        VisitFaces(complex, run.Dimension, run.Equal ? (*twins[run.Dimension])[at] : at,
-          [&](int dimension, vtkIdType simplex) { act(cell, dimension, simplex); });
-      }
-    }
+        VisitFaces(complex, ofCell, number,
+          [&, cell = this->GetInputCell(place)](int dimension, vtkIdType simplex)
+          { act(cell, dimension, simplex); });
+      });
   }
   /// A simplex is a duplicate if all cells that it lies on are.
   template <typename Id>

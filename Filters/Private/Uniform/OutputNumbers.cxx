@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Solids/Complex/RunSimplices.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Partitions/OtherPartitions.h"
@@ -101,7 +102,7 @@ private:
 
   void FindOwnDerived()
   {
-    this->ForSimplices(
+    ForSimplices(this->Complex, this->Runs,
       [&](vtkIdType s, int dimension, vtkIdType number, bool)
       {
         if (s >= this->Control.GetNumberOfSimplices() && this->Made.Parts.Kept[dimension][number])
@@ -115,32 +116,11 @@ private:
       });
   }
 
-  /// act(its index, its dimension, its number in the complex, whether the complex has an equal one
-  /// instead) for each simplex: of the control mesh, and then derived ones.
-  template <typename Act>
-  void ForSimplices(const Act& act) const
-  {
-    const auto& complex = this->Complex;
-    const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins,
-      &complex.EqualTriangles.Twins, &complex.EqualTets.Twins };
-    for (const CellRun& run : this->Runs)
-    {
-      for (vtkIdType i = 0; i < run.Count; ++i)
-      {
-        const vtkIdType index = run.First + i;
-        act(run.FirstCell + i, run.Dimension,
-          run.Dimension == 0 ? complex.VertexCells[index]
-            : run.Equal      ? (*twins[run.Dimension])[index]
-                             : index,
-          run.Equal);
-      }
-    }
-  }
-  /// The same for simplices of the control mesh only.
+  /// As ForSimplices, for simplices of the control mesh only; derived ones follow.
   template <typename Act>
   void ForControl(const Act& act) const
   {
-    this->ForSimplices(
+    ForSimplices(this->Complex, this->Runs,
       [&](vtkIdType s, int dimension, vtkIdType number, bool isEqual)
       {
         if (s < this->Control.GetNumberOfSimplices())

@@ -4,6 +4,7 @@
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
 #include "Core/Solids/Complex/Links.h"
+#include "Core/Solids/Complex/RunSimplices.h"
 #include "Core/Solids/Complex/Simplices.h"
 
 #include <algorithm>
@@ -13,27 +14,6 @@ namespace subdivision
 {
 namespace
 {
-
-/// Calls act(position in output order, entity, whether it equals an earlier cell) for each cell of
-/// a dimension. The entity is the number in the complex of the vertex, edge, face or tetrahedron.
-template <typename Id, typename Act>
-void ForCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int dimension,
-  const Act& act)
-{
-  const Buffer<Id>* twins[4] = { nullptr, &complex.EqualLines.Twins, &complex.EqualTriangles.Twins,
-    &complex.EqualTets.Twins };
-  for (const CellRun& run : runs)
-  {
-    for (vtkIdType i = 0; run.Dimension == dimension && i < run.Count; ++i)
-    {
-      const vtkIdType index = run.First + i;
-      const vtkIdType entity = dimension == 0 ? complex.VertexCells[index]
-        : run.Equal                           ? (*twins[dimension])[index]
-                                              : index;
-      act(run.FirstCell + i, entity, run.Equal);
-    }
-  }
-}
 
 template <typename Id>
 void AddTuple(const Buffer<Id>& vertices, int size, vtkIdType index, SimplexTuples& derived)
@@ -92,7 +72,7 @@ Buffer<vtkIdType> FindSimplicesOf(
   const vtkIdType sizes[4] = { complex.NumberOfVertices, complex.NumberOfEdges,
     complex.NumberOfFaces, complex.NumberOfTets };
   Buffer<vtkIdType> simplices(sizes[dimension], -1);
-  ForCells(complex, runs, dimension,
+  ForSimplices(complex, runs, dimension,
     [&](vtkIdType place, vtkIdType entity, bool equal)
     {
       if (!equal)
@@ -119,7 +99,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
     }
     return false;
   };
-  ForCells(complex, runs, 2,
+  ForSimplices(complex, runs, 2,
     [&](vtkIdType, vtkIdType f, bool equal)
     {
       const vtkIdType tets = complex.FaceTets[f].size();
@@ -128,7 +108,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
         AddTuple(complex.FaceVertices, 3, f, derived);
       }
     });
-  ForCells(complex, runs, 1,
+  ForSimplices(complex, runs, 1,
     [&](vtkIdType, vtkIdType e, bool equal)
     {
       const Id edge = static_cast<Id>(e);
@@ -139,7 +119,7 @@ void DeriveEmbedded(const SimplicialComplex<Id>& complex, const std::vector<Cell
         AddTuple(complex.EdgeVertices, 2, e, derived);
       }
     });
-  ForCells(complex, runs, 0,
+  ForSimplices(complex, runs, 0,
     [&](vtkIdType, vtkIdType v, bool)
     {
       const Id vertex = static_cast<Id>(v);
@@ -270,7 +250,7 @@ void FlagSimplices(const SimplicialComplex<Id>& complex, const std::vector<CellR
   for (int dimension = 0; dimension < 3; ++dimension)
   {
     Buffer<unsigned char>& target = *targets[dimension];
-    ForCells(complex, runs, dimension,
+    ForSimplices(complex, runs, dimension,
       [&](vtkIdType place, vtkIdType entity, bool)
       {
         if (flags[place])
