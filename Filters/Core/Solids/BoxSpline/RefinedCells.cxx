@@ -189,30 +189,46 @@ void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>
   }
 }
 
+namespace
+{
+
+/// Writes the cells of runs after some steps: the layout of all and, up to a dimension, vertices.
+/// write(run, connectivity, signs) writes other cells up to it.
+template <typename Id, typename Out, typename Write>
+void WriteRuns(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
+  const CellStorage<Out>& out, int highest, const Write& write)
+{
+  const std::vector<CellRun> refined = RefineRuns(runs, steps);
+  const CellCounts counts = CountCells(refined);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const CellRun& run = runs[r];
+    WriteLayout(refined[r], out);
+    Out* connectivity = out.Connectivity + refined[r].FirstEntry;
+    if (run.Dimension == 0 && highest >= 0)
+    {
+      WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
+        [&](vtkIdType i, Out* lattice) { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
+    }
+    else if (run.Dimension <= highest)
+    {
+      write(run, connectivity, out.Signs ? out.Signs + run.FirstCell : nullptr);
+    }
+  }
+}
+
+}
+
 template <typename Id, typename Out>
 void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest, const StoredPoints& points)
 {
-  const std::vector<CellRun> children = RefineRuns(runs, 1);
-  const CellCounts counts = CountCells(children);
-  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
   const Id midpoints = complex.NumberOfVertices;
-  for (std::size_t r = 0; r < runs.size(); ++r)
+  const auto write = [&](const CellRun& run, Out* connectivity, signed char* signs)
   {
-    const CellRun& run = runs[r];
-    WriteLayout(children[r], out);
-    if (run.Dimension > highest)
-    {
-      continue;
-    }
-    Out* connectivity = out.Connectivity + children[r].FirstEntry;
-    signed char* signs = out.Signs ? out.Signs + run.FirstCell : nullptr;
     switch (run.Dimension)
     {
-      case 0:
-        WriteChildrenOfRun<1>(run, VertexChildren, connectivity, [&](vtkIdType i, Out* lattice)
-          { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
-        break;
       case 1:
         WriteChildrenOfRun<1>(run, LineChildren, connectivity,
           [&](vtkIdType i, Out* lattice)
@@ -258,34 +274,20 @@ void WriteChildren(const SimplicialComplex<Id>& complex, const std::vector<CellR
           points, signs);
         break;
     }
-  }
+  };
+  WriteRuns(complex, runs, 1, out, highest, write);
 }
 
 template <typename Id, typename Out>
 void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs,
   const CellStorage<Out>& out, int highest, Id centres, const StoredPoints& points)
 {
-  const std::vector<CellRun> grandchildren = RefineRuns(runs, 2);
-  const CellCounts counts = CountCells(grandchildren);
-  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
   const ChildIds<BoxSplineSplit<Id>> ids(complex, { complex.NumberOfTets });
   const Id midpoints = complex.NumberOfVertices + complex.NumberOfEdges + centres;
-  for (std::size_t r = 0; r < runs.size(); ++r)
+  const auto write = [&](const CellRun& run, Out* connectivity, signed char* signs)
   {
-    const CellRun& run = runs[r];
-    WriteLayout(grandchildren[r], out);
-    if (run.Dimension > highest)
-    {
-      continue;
-    }
-    Out* connectivity = out.Connectivity + grandchildren[r].FirstEntry;
-    signed char* signs = out.Signs ? out.Signs + run.FirstCell : nullptr;
     switch (run.Dimension)
     {
-      case 0:
-        WriteChildrenOfRun<1>(run, VertexChildren, connectivity, [&](vtkIdType i, Out* lattice)
-          { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
-        break;
       case 1:
         WriteChildrenOfRun<2>(run, LineChildren, connectivity,
           [&](vtkIdType i, Out* lattice)
@@ -320,7 +322,8 @@ void WriteGrandchildren(const SimplicialComplex<Id>& complex, const std::vector<
           points, signs);
         break;
     }
-  }
+  };
+  WriteRuns(complex, runs, 2, out, highest, write);
 }
 
 template <typename Id>
