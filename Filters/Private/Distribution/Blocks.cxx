@@ -498,13 +498,9 @@ void TakeOutputs(const JoinedMesh& joined, vtkPointSet* whole, const OutputOptio
 
 void AddFieldData(vtkFieldData* from, bool withStamp, vtkFieldData* to)
 {
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    if (withStamp || !BelongsToStamp(from->GetAbstractArray(a)->GetName()))
-    {
-      to->AddArray(from->GetAbstractArray(a));
-    }
-  }
+  AddFieldArrays(
+    from, [withStamp](vtkAbstractArray* array)
+    { return withStamp || !BelongsToStamp(array->GetName()); }, to);
 }
 
 void AddGlobalIds(vtkPointSet* output)

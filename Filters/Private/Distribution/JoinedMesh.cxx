@@ -95,39 +95,21 @@ Places SortItems(std::vector<Item>& items, const std::vector<MeshPart>& parts,
   return places;
 }
 
-Places PlacePoints(const std::vector<MeshPart>& parts, std::vector<Item>& points)
+/// Places the points or cells of parts: getKind(part, index) comes before their ids.
+template <typename GetKind>
+Places PlaceItems(const std::vector<MeshPart>& parts, const std::vector<vtkIdType> MeshPart::* ids,
+  const GetKind& getKind, std::vector<Item>& items)
 {
   for (size_t p = 0; p < parts.size(); ++p)
   {
-    const std::vector<vtkIdType>& ids = parts[p].Points;
-    for (size_t i = 0; i < ids.size(); ++i)
+    for (size_t i = 0; i < (parts[p].*ids).size(); ++i)
     {
-      if (ids[i] >= 0)
-      {
-        points.push_back({ 0, static_cast<int>(p), ids[i], static_cast<vtkIdType>(i) });
-      }
+      const vtkIdType id = (parts[p].*ids)[i];
+      const auto index = static_cast<vtkIdType>(i);
+      id >= 0 ? items.push_back({ getKind(p, index), static_cast<int>(p), id, index }) : void();
     }
   }
-  return SortItems(points, parts, &MeshPart::Points);
-}
-
-Places PlaceCells(const std::vector<MeshPart>& parts, const std::vector<CellReader>& readers,
-  bool isPolyData, std::vector<Item>& cells)
-{
-  for (size_t p = 0; p < parts.size(); ++p)
-  {
-    const std::vector<vtkIdType>& ids = parts[p].Cells;
-    for (size_t i = 0; i < ids.size(); ++i)
-    {
-      if (ids[i] >= 0)
-      {
-        const auto cell = static_cast<vtkIdType>(i);
-        cells.push_back({ isPolyData ? GetKind(readers[p].GetCellType(cell)) : 0,
-          static_cast<int>(p), ids[i], cell });
-      }
-    }
-  }
-  return SortItems(cells, parts, &MeshPart::Cells);
+  return SortItems(items, parts, ids);
 }
 
 vtkSmartPointer<vtkPoints> JoinPoints(
@@ -399,9 +381,12 @@ JoinedMesh Join(const std::vector<MeshPart>& parts, int pointType, bool keepsOwn
   JoinedMesh joined;
   joined.Mesh = MakeMesh(isPolyData);
   std::vector<Item> points;
-  Places pointPlaces = PlacePoints(parts, points);
+  Places pointPlaces =
+    PlaceItems(parts, &MeshPart::Points, [](size_t, vtkIdType) { return 0; }, points);
   std::vector<Item> cells;
-  Places cellPlaces = PlaceCells(parts, readers, isPolyData, cells);
+  Places cellPlaces = PlaceItems(
+    parts, &MeshPart::Cells, [&](size_t part, vtkIdType cell)
+    { return isPolyData ? GetKind(readers[part].GetCellType(cell)) : 0; }, cells);
   joined.Mesh->SetPoints(JoinPoints(parts, points, pointType));
   JoinCells(readers, cells, pointPlaces, joined.Mesh);
   joined.PointArrays = JoinArrays(

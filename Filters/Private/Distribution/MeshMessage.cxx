@@ -259,17 +259,6 @@ void GetValues(Reader& reader, vtkPointSet* mesh)
   GetArrays(reader, mesh->GetCellData());
 }
 
-void AddStampedLists(vtkFieldData* from, vtkFieldData* to)
-{
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    if (IsStampedList(from->GetAbstractArray(a)))
-    {
-      to->AddArray(from->GetAbstractArray(a));
-    }
-  }
-}
-
 }
 
 std::vector<vtkIdType> PackCells(
@@ -281,7 +270,7 @@ std::vector<vtkIdType> PackCells(
   writer.Put(static_cast<vtkIdType>(vtkPolyData::SafeDownCast(mesh) ? 1 : 0));
   PutCells(mesh, writer);
   PutValues(mesh, writer);
-  AddStampedLists(part.Mesh->GetFieldData(), mesh->GetFieldData());
+  AddFieldArrays(part.Mesh->GetFieldData(), IsStampedList, mesh->GetFieldData());
   PutArrays(mesh->GetFieldData(), CanBeSent, writer);
   writer.Put(static_cast<vtkIdType>(part.Index));
   writer.Put(Select(part.Points, points));

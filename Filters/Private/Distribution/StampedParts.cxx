@@ -267,15 +267,15 @@ void JoinControlCreases(const std::vector<MeshPart>& parts, JoinedMesh& joined)
 /// Copies the stamp of an output that has come together again.
 void CopyStamp(vtkFieldData* from, vtkFieldData* to)
 {
-  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
-  {
-    const char* name = from->GetAbstractArray(a)->GetName();
-    if (BelongsToStamp(name) && std::string(name) != BlockPointsName &&
-      std::string(name) != BlockCellsName)
+  AddFieldArrays(
+    from,
+    [](vtkAbstractArray* array)
     {
-      to->AddArray(from->GetAbstractArray(a));
-    }
-  }
+      const char* name = array->GetName();
+      return BelongsToStamp(name) && std::string(name) != BlockPointsName &&
+        std::string(name) != BlockCellsName;
+    },
+    to);
 }
 
 }

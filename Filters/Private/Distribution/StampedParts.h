@@ -10,7 +10,9 @@
 #include "Private/Distribution/JoinedMesh.h"
 #include "Private/Partitions/OtherPartitions.h"
 
-class vtkAbstractArray;
+#include "vtkAbstractArray.h"
+#include "vtkFieldData.h"
+
 class vtkIdTypeArray;
 
 namespace subdivision
@@ -30,6 +32,17 @@ bool TakeStampedNumbers(std::vector<MeshPart>& parts, Exchange& exchange);
 
 /// Whether a field array has ids of a stamp that all partitions around the block have to know.
 bool IsStampedList(vtkAbstractArray* array);
+
+/// Adds the field arrays that accept(array) wants.
+template <typename Accept>
+void AddFieldArrays(vtkFieldData* from, const Accept& accept, vtkFieldData* to)
+{
+  for (int a = 0; a < from->GetNumberOfArrays(); ++a)
+  {
+    vtkAbstractArray* const array = from->GetAbstractArray(a);
+    accept(array) ? void(to->AddArray(array)) : void();
+  }
+}
 
 /// Gives the joined mesh of a partition the stamp of its parts. `taken` is the result of
 /// TakeStampedNumbers; `isPartial`: whether there are other partitions. Returns false if there is a
