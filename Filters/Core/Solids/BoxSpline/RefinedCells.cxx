@@ -143,6 +143,32 @@ void CopyLattices(const Id* vertices, const Id* edges, int count, Id midpoints, 
 constexpr int VertexChildren[1][1] = { { 0 } };
 constexpr int LineChildren[2][2] = { { 0, 2 }, { 2, 1 } };
 
+/// Writes the cells of runs after some steps: the layout of all and, up to a dimension, vertices.
+/// write(run, connectivity, signs) writes other cells up to it.
+template <typename Id, typename Out, typename Write>
+void WriteRuns(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
+  const CellStorage<Out>& out, int highest, const Write& write)
+{
+  const std::vector<CellRun> refined = RefineRuns(runs, steps);
+  const CellCounts counts = CountCells(refined);
+  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const CellRun& run = runs[r];
+    WriteLayout(refined[r], out);
+    Out* connectivity = out.Connectivity + refined[r].FirstEntry;
+    if (run.Dimension == 0 && highest >= 0)
+    {
+      WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
+        [&](vtkIdType i, Out* lattice) { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
+    }
+    else if (run.Dimension <= highest)
+    {
+      write(run, connectivity, out.Signs ? out.Signs + run.FirstCell : nullptr);
+    }
+  }
+}
+
 }
 
 std::vector<CellRun> RefineRuns(const std::vector<CellRun>& runs, int levels)
@@ -187,37 +213,6 @@ void WriteCells(const SimplicialComplex<Id>& complex, const std::vector<CellRun>
     ForEach(run.Count * (run.Dimension + 1),
       [&](vtkIdType i) { out.Connectivity[run.FirstEntry + i] = static_cast<Out>(vertices[i]); });
   }
-}
-
-namespace
-{
-
-/// Writes the cells of runs after some steps: the layout of all and, up to a dimension, vertices.
-/// write(run, connectivity, signs) writes other cells up to it.
-template <typename Id, typename Out, typename Write>
-void WriteRuns(const SimplicialComplex<Id>& complex, const std::vector<CellRun>& runs, int steps,
-  const CellStorage<Out>& out, int highest, const Write& write)
-{
-  const std::vector<CellRun> refined = RefineRuns(runs, steps);
-  const CellCounts counts = CountCells(refined);
-  out.Offsets[counts.Cells] = static_cast<Out>(counts.Entries);
-  for (std::size_t r = 0; r < runs.size(); ++r)
-  {
-    const CellRun& run = runs[r];
-    WriteLayout(refined[r], out);
-    Out* connectivity = out.Connectivity + refined[r].FirstEntry;
-    if (run.Dimension == 0 && highest >= 0)
-    {
-      WriteChildrenOfRun<1>(run, VertexChildren, connectivity,
-        [&](vtkIdType i, Out* lattice) { lattice[0] = static_cast<Out>(complex.VertexCells[i]); });
-    }
-    else if (run.Dimension <= highest)
-    {
-      write(run, connectivity, out.Signs ? out.Signs + run.FirstCell : nullptr);
-    }
-  }
-}
-
 }
 
 template <typename Id, typename Out>
