@@ -7,10 +7,9 @@
 #define SubdivisionObjects_EditTools_h
 
 #include "FeatureTools.h"
+#include "SelectionTools.h"
 
 #include "vtkInformation.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphereSource.h"
 #include "vtkSubdivisionEdit.h"
 #include "vtkSubdivisionModelSource.h"
@@ -21,28 +20,7 @@ namespace edit_tools
 
 using namespace feature_tools;
 
-using Selection = vtkSmartPointer<vtkSelection>;
-
-inline Selection MakeSelection(int field, int content, const Ids& ids)
-{
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(content);
-  node->SetFieldType(field);
-  node->SetSelectionList(list);
-  auto selection = Selection::New();
-  selection->AddNode(node);
-  return selection;
-}
-
-inline Selection MakeSelection(int field, const Ids& ids)
-{
-  return MakeSelection(field, vtkSelectionNode::INDICES, ids);
-}
+using namespace selection_tools;
 
 /// Null: no connection.
 inline void Connect(vtkAlgorithm* filter, int port, vtkDataObject* data)

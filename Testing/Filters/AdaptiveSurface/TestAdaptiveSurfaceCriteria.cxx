@@ -3,47 +3,25 @@
 // told.
 
 #include "AdaptiveFilterTools.h"
+#include "SelectionTools.h"
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkInformation.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphere.h"
-#include "vtkTrivialProducer.h"
 
 using namespace adaptive_filter_tools;
+using namespace selection_tools;
 
 namespace
 {
 
 constexpr int Levels = 4;
 
-using Selection = vtkSmartPointer<vtkSelection>;
-
-Selection MakeSelection(int field, const std::vector<vtkIdType>& ids)
-{
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(field);
-  node->SetSelectionList(list);
-  auto selection = Selection::New();
-  selection->AddNode(node);
-  return selection;
-}
-
 std::function<void(Filter*)> By(vtkSelection* selection)
 {
   return [selection](Filter* filter)
   {
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(selection);
-    filter->RefineBySelectionOn();
-    filter->SetSelectionConnection(producer->GetOutputPort());
+    RefineBy(filter, selection);
     filter->SetMaximumLevel(Levels);
   };
 }

@@ -4,6 +4,7 @@
  * Structured data and non-linear cells through the filters: each input gives what a grid
  * or surface gives that is made of it by hand, bit for bit.
  */
+#include "SelectionTools.h"
 #include "SubdivisionDeformationTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
@@ -11,8 +12,6 @@
 #include "vtkImageData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkStructuredGrid.h"
 #include "vtkSurfaceSubdivision.h"
@@ -315,14 +314,7 @@ TEST(InputKinds, BlocksMayBeStructured)
 TEST(InputKinds, ASelectionOfAnImageIsThatOfItsCells)
 {
   const DataSet image = MakeStructured({ 4, 4, 4 })[0];
-  vtkNew<vtkIdTypeArray> list;
-  list->InsertNextValue(13);
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetSelectionList(list);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = selection_tools::MakeSelection(vtkSelectionNode::CELL, { 13 });
   vtkSmartPointer<vtkDataObject> results[2];
   for (int i = 0; i < 2; ++i)
   {

@@ -5,11 +5,10 @@
  * MergePoints joins with others.
  */
 #include "MultiDimensionalSubdivisionTools.h"
+#include "SelectionTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSurfaceSubdivision.h"
 
 using namespace multi_dimensional_subdivision_tools;
@@ -71,19 +70,6 @@ vtkSmartPointer<vtkPolyData> MakeCreases(const std::vector<Ids>& lines, bool has
   creases->SetLines(cells);
   hasIds ? SetGlobalIds(creases, ids) : void();
   return creases;
-}
-
-vtkSmartPointer<vtkSelection> SelectPoint(vtkIdType point)
-{
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  vtkNew<vtkIdTypeArray> list;
-  list->InsertNextValue(point);
-  node->SetSelectionList(list);
-  const auto selection = vtkSmartPointer<vtkSelection>::New();
-  selection->AddNode(node);
-  return selection;
 }
 
 /// The points of the first mesh that a filter makes without saying anything.
@@ -148,7 +134,8 @@ void CheckSelection(const Configure& configure)
     return Run<Filter>(MakeRows(isApart, false), isApart,
       [&](Filter* filter)
       {
-        filter->SetInputDataObject(1, SelectPoint(point));
+        filter->SetInputDataObject(
+          1, selection_tools::MakeSelection(vtkSelectionNode::POINT, { point }));
         configure(filter);
       });
   };

@@ -2,12 +2,10 @@
 // The criteria of vtkRefinementAlgorithm, in all filters that have them.
 
 #include "AdaptiveFilterTools.h"
+#include "SelectionTools.h"
 
 #include "vtkRedGreenRefinement.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphere.h"
-#include "vtkTrivialProducer.h"
 
 using namespace adaptive_filter_tools;
 
@@ -18,18 +16,7 @@ using Configure = std::function<void(vtkRefinementAlgorithm*)>;
 
 void SelectOneCell(vtkRefinementAlgorithm* filter)
 {
-  vtkNew<vtkIdTypeArray> list;
-  list->InsertNextValue(40);
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetSelectionList(list);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(selection);
-  filter->SetSelectionConnection(producer->GetOutputPort());
-  filter->RefineBySelectionOn();
+  selection_tools::RefineBy(filter, selection_tools::MakeSelection(vtkSelectionNode::CELL, { 40 }));
 }
 
 void UseSphere(vtkRefinementAlgorithm* filter)

@@ -5,32 +5,18 @@
  * those of flagged cells.
  */
 #include "MarkTools.h"
+#include "SelectionTools.h"
 
 #include "vtkPlane.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSphere.h"
 #include "vtkSurfaceSubdivision.h"
 
 using namespace feature_tools;
+using namespace selection_tools;
 
 namespace
 {
-
-vtkSmartPointer<vtkSelectionNode> Select(int field, const std::vector<vtkIdType>& ids)
-{
-  auto node = vtkSmartPointer<vtkSelectionNode>::New();
-  node->SetFieldType(field);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  node->SetSelectionList(list);
-  return node;
-}
 
 std::vector<vtkIdType> ListMarked(const std::vector<char>& marked)
 {
@@ -179,8 +165,7 @@ TEST(FeaturesMarks, BySelectionOfPointsAreThoseByAnArray)
   for (const Grid& mesh : MakeMarkMeshes())
   {
     const std::vector<char> marked = Draw(mesh->GetNumberOfPoints(), 0.6, 7);
-    vtkNew<vtkSelection> selection;
-    selection->AddNode(Select(vtkSelectionNode::POINT, ListMarked(marked)));
+    const Selection selection = MakeSelection(vtkSelectionNode::POINT, ListMarked(marked));
     const Grid made = ExecuteQuietly(mesh, 2,
       [&](Filter* filter)
       {
@@ -216,15 +201,13 @@ TEST(FeaturesMarks, BySelectionOfCellsAreThoseByFlags)
   {
     flags[c] = 1;
   }
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(Select(vtkSelectionNode::CELL, cells));
+  const Selection selection = MakeSelection(vtkSelectionNode::CELL, cells);
   const Configure marking = [&](Filter* filter) { filter->SetInputDataObject(1, selection); };
   const Grid made = ExecuteQuietly(mesh, 2, marking);
   ExpectSame(made, ExecuteQuietly(With(mesh, "Singular", flags), 2, {}));
   EXPECT_FALSE(made->GetCellData()->HasArray("Singular"));
   // A selection of points and one of cells together: all of both.
-  const std::vector<vtkIdType> corner = { 3 };
-  selection->AddNode(Select(vtkSelectionNode::POINT, corner));
+  selection->AddNode(MakeSelection(vtkSelectionNode::POINT, { 3 })->GetNode(0u));
   const Grid both = AddFlagged(With(mesh, "Singular", flags), { { VTK_VERTEX, { 3 } } });
   ExpectSame(ExecuteQuietly(mesh, 2, marking), ExecuteQuietly(both, 2, {}));
 }
@@ -232,16 +215,14 @@ TEST(FeaturesMarks, BySelectionOfCellsAreThoseByFlags)
 TEST(FeaturesMarks, OfSolidsAndOfNothingGiveAWarning)
 {
   const Grid mesh = MakeOctahedron();
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(Select(vtkSelectionNode::CELL, { 2, 5 }));
+  const Selection selection = MakeSelection(vtkSelectionNode::CELL, { 2, 5 });
   vtkNew<Messages> messages;
   const Configure marking = [&](Filter* filter) { filter->SetInputDataObject(1, selection); };
   const Grid made = Execute(mesh, 1, marking, messages);
   EXPECT_EQ(Compare(made, Execute(mesh, 1)), "");
   EXPECT_EQ(messages->CountWarnings("3D cells, which cannot be singular"), 1);
   EXPECT_EQ(messages->CountWarnings("first cell 2"), 1);
-  vtkNew<vtkSelection> empty;
-  empty->AddNode(Select(vtkSelectionNode::POINT, {}));
+  const Selection empty = MakeSelection(vtkSelectionNode::POINT, {});
   vtkNew<Messages> others;
   Execute(mesh, 1, [&](Filter* filter) { filter->SetInputDataObject(1, empty); }, others);
   EXPECT_EQ(others->CountWarnings("has no point or cell of the input"), 1);

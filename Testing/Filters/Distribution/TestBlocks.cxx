@@ -2,6 +2,7 @@
 // Blocks of a composite data set that share points are one mesh.
 #include "FeatureTools.h"
 #include "PartitionTools.h"
+#include "SelectionTools.h"
 
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkCell.h"
@@ -9,13 +10,10 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkRedGreenRefinement.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSimplicialComplexTopology.h"
 #include "vtkSubdivisionDeformation.h"
 #include "vtkSurfaceSubdivision.h"
 #include "vtkTable.h"
-#include "vtkTrivialProducer.h"
 
 using namespace partition_tools;
 using namespace multi_dimensional_subdivision_tools;
@@ -101,7 +99,7 @@ TEST(Blocks, HaveTheMarksOfTheWhole)
   const Grid box = MakeBox(2);
   vtkNew<vtkIntArray> marks;
   marks->SetName("Marks");
-  vtkNew<vtkIdTypeArray> ids;
+  std::vector<vtkIdType> ids;
   vtkNew<vtkIdTypeArray> numbers; // those of the blocks
   numbers->SetName("Numbers");
   vtkNew<vtkPolyData> lines;
@@ -113,7 +111,7 @@ TEST(Blocks, HaveTheMarksOfTheWhole)
     numbers->InsertNextValue(p);
     if (p % 3 > 0)
     {
-      ids->InsertNextValue(p);
+      ids.push_back(p);
     }
   }
   box->GetPointData()->AddArray(marks);
@@ -128,12 +126,8 @@ TEST(Blocks, HaveTheMarksOfTheWhole)
   }
   lines->SetLines(cells);
   ASSERT_GT(lines->GetNumberOfCells(), 3);
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::GLOBALIDS);
-  node->SetSelectionList(ids);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection =
+    selection_tools::MakeSelection(vtkSelectionNode::POINT, vtkSelectionNode::GLOBALIDS, ids);
   for (const int kind : { 0, 1, 2 })
   {
     SCOPED_TRACE(kind);
@@ -150,7 +144,7 @@ TEST(Blocks, HaveTheMarksOfTheWhole)
         if (kind > 0)
         {
           filter->SetInputDataObject(
-            kind, kind == 1 ? static_cast<vtkDataObject*>(selection) : lines);
+            kind, kind == 1 ? static_cast<vtkDataObject*>(selection.Get()) : lines);
         }
         return filter;
       });
@@ -482,28 +476,16 @@ namespace
 vtkSmartPointer<vtkDataObject> RefineSelected(
   vtkDataObject* input, const std::vector<vtkIdType>& cells, int compositeIndex)
 {
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType cell : cells)
-  {
-    list->InsertNextValue(cell);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetSelectionList(list);
+  const auto selection = selection_tools::MakeSelection(vtkSelectionNode::CELL, cells);
   if (compositeIndex > 0)
   {
-    node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), compositeIndex);
+    selection->GetNode(0u)->GetProperties()->Set(
+      vtkSelectionNode::COMPOSITE_INDEX(), compositeIndex);
   }
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(selection);
   vtkNew<vtkRedGreenRefinement> filter;
   filter->RefineByAttributeErrorOff();
-  filter->RefineBySelectionOn();
   filter->SetMaximumLevel(2);
-  filter->SetSelectionConnection(producer->GetOutputPort());
+  selection_tools::RefineBy(filter, selection);
   return RunFilterOn(filter.Get(), input);
 }
 

@@ -4,16 +4,15 @@
  * vtkRedGreenRefinement: what each criterion refines, limits, bad input.
  */
 #include "RedGreenRefinementTools.h"
+#include "SelectionTools.h"
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkInformation.h"
 #include "vtkPlane.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 #include "vtkSphere.h"
-#include "vtkTrivialProducer.h"
 
 using namespace red_green_refinement_tools;
+using namespace selection_tools;
 
 namespace
 {
@@ -172,25 +171,11 @@ TEST(RedGreenCriteria, ArrayRangeOfCellsAndOfPoints)
 /// Runs with a selection of the given ids.
 Grid RefineSelected(vtkDataObject* input, int fieldType, const Ids& ids, Messages* messages)
 {
-  vtkNew<vtkIdTypeArray> list;
-  for (vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(fieldType);
-  node->SetSelectionList(list);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(selection);
   return Refine(
     input,
     [&](Filter* filter)
     {
-      filter->RefineBySelectionOn();
-      filter->SetSelectionConnection(producer->GetOutputPort());
+      RefineBy(filter, MakeSelection(fieldType, ids));
       filter->SetMaximumLevel(1);
     },
     messages);
@@ -235,17 +220,8 @@ TEST(RedGreenCriteria, ASelectionKnowsTheBlocks)
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, first);
   blocks->SetBlock(1, second);
-  vtkNew<vtkIdTypeArray> list;
-  list->InsertNextValue(0);
-  vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(vtkSelectionNode::CELL);
-  node->SetSelectionList(list);
-  node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
-  vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(selection);
+  const Selection selection = MakeSelection(vtkSelectionNode::CELL, { 0 });
+  selection->GetNode(0u)->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2);
   vtkNew<Filter> filter;
   vtkNew<vtkCompositeDataPipeline> executive;
   filter->SetExecutive(executive);
@@ -254,8 +230,7 @@ TEST(RedGreenCriteria, ASelectionKnowsTheBlocks)
   messages->Watch(filter);
   filter->SetInputDataObject(blocks);
   filter->RefineByAttributeErrorOff();
-  filter->RefineBySelectionOn();
-  filter->SetSelectionConnection(producer->GetOutputPort());
+  RefineBy(filter, selection);
   filter->Update();
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   ASSERT_TRUE(output);

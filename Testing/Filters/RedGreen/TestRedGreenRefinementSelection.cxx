@@ -4,14 +4,12 @@
  * vtkRedGreenRefinement: selections of every kind.
  */
 #include "RedGreenRefinementTools.h"
+#include "SelectionTools.h"
 
 #include "vtkCompositeDataPipeline.h"
 #include "vtkInformation.h"
 #include "vtkPlane.h"
 #include "vtkPlanes.h"
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
-#include "vtkTrivialProducer.h"
 #include "vtkUnsignedIntArray.h"
 
 using namespace red_green_refinement_tools;
@@ -73,10 +71,7 @@ Configure By(vtkSelection* selection)
 {
   return [selection](Filter* filter)
   {
-    vtkNew<vtkTrivialProducer> producer;
-    producer->SetOutput(selection);
-    filter->RefineBySelectionOn();
-    filter->SetSelectionConnection(producer->GetOutputPort());
+    selection_tools::RefineBy(filter, selection);
     filter->SetMaximumLevel(1);
   };
 }

@@ -3,10 +3,8 @@
  * @file TestSurfaceMarks.cxx
  * Corners, creases and faces of surfaces that are marked are those of flagged cells.
  */
+#include "SelectionTools.h"
 #include "SurfaceTools.h"
-
-#include "vtkSelection.h"
-#include "vtkSelectionNode.h"
 
 using namespace surfacetools;
 
@@ -184,18 +182,12 @@ TEST(SurfaceMarks, BySelectionAreThoseByAnArray)
 {
   const Model model = MakeBumps(false);
   std::vector<int> marked(model.Points.size(), 0);
-  vtkNew<vtkSelection> selection;
-  vtkNew<vtkSelectionNode> node;
-  vtkNew<vtkIdTypeArray> ids;
-  for (const int p : { 8, 9, 10, 17, 24 })
+  const std::vector<vtkIdType> ids{ 8, 9, 10, 17, 24 };
+  const auto selection = selection_tools::MakeSelection(vtkSelectionNode::POINT, ids);
+  for (const vtkIdType p : ids)
   {
     marked[p] = 1;
-    ids->InsertNextValue(p);
   }
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(ids);
-  selection->AddNode(node);
   const int scheme = vtkSurfaceSubdivision::CATMULL_CLARK;
   const auto bySelection = RunFilter(MakeMarked(model, marked), scheme, 2, true,
     [&](vtkSurfaceSubdivision* filter)
