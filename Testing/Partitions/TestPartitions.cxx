@@ -358,6 +358,26 @@ std::vector<std::string> GetWarnings(const std::vector<std::vector<Mesh>>& parti
   return warnings;
 }
 
+/// Passes four parts on, each of which has a cell array by then.
+std::vector<Mesh> FindInAll(const std::vector<Mesh>& cut, const char* name)
+{
+  bool done = false;
+  std::vector<Mesh> outputs;
+  int found = 0;
+  GetWarnings(
+    { { cut[0] }, { cut[1] }, { cut[2] }, { cut[3] } },
+    [&](vtkPointSet* input, vtkPointSet* output)
+    {
+      found += input->GetCellData()->HasArray(name);
+      output->ShallowCopy(input);
+      return true;
+    },
+    done, outputs);
+  EXPECT_TRUE(done);
+  EXPECT_EQ(4, found);
+  return outputs;
+}
+
 }
 
 TEST(Partitions, FindArraysThatOnlyOthersHave)
@@ -367,20 +387,7 @@ TEST(Partitions, FindArraysThatOnlyOthersHave)
   const std::vector<Mesh> cut = Cut(box, CutInSlabs(box, 4), 4, KnownBy::GlobalIds);
   cut[0]->GetCellData()->AddArray(
     MakeArray<vtkDoubleArray>("Only", 1, cut[0]->GetNumberOfCells(), 1., 2., 1));
-  bool done = false;
-  std::vector<Mesh> outputs;
-  int found = 0;
-  GetWarnings(
-    { { cut[0] }, { cut[1] }, { cut[2] }, { cut[3] } },
-    [&found](vtkPointSet* input, vtkPointSet* output)
-    {
-      found += input->GetCellData()->HasArray("Only");
-      output->ShallowCopy(input);
-      return true;
-    },
-    done, outputs);
-  EXPECT_TRUE(done);
-  EXPECT_EQ(4, found);
+  const std::vector<Mesh> outputs = FindInAll(cut, "Only");
   EXPECT_TRUE(outputs[0]->GetCellData()->HasArray("Only"));
   for (int i = 1; i < 4; ++i)
   {
@@ -396,20 +403,7 @@ TEST(Partitions, ArraysThatAreTooShortAreNone)
   cut[0]->GetCellData()->AddArray(MakeArray<vtkDoubleArray>("Some", 1, 1, 1., 2., 1));
   cut[3]->GetCellData()->AddArray(
     MakeArray<vtkDoubleArray>("Some", 1, cut[3]->GetNumberOfCells(), 1., 2., 1));
-  bool done = false;
-  std::vector<Mesh> outputs;
-  int found = 0;
-  GetWarnings(
-    { { cut[0] }, { cut[1] }, { cut[2] }, { cut[3] } },
-    [&found](vtkPointSet* input, vtkPointSet* output)
-    {
-      found += input->GetCellData()->HasArray("Some");
-      output->ShallowCopy(input);
-      return true;
-    },
-    done, outputs);
-  EXPECT_TRUE(done);
-  EXPECT_EQ(4, found);
+  const std::vector<Mesh> outputs = FindInAll(cut, "Some");
   for (int i = 0; i < 4; ++i)
   {
     EXPECT_EQ(i == 3, outputs[i]->GetCellData()->HasArray("Some")) << i;

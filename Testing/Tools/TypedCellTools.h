@@ -74,6 +74,21 @@ inline double MeasureSolids(vtkUnstructuredGrid* grid)
   return flux / 6.;
 }
 
+/// The same by the values of a cell array.
+inline std::map<int, double> MeasureSolidsBy(vtkUnstructuredGrid* grid, const char* name)
+{
+  std::map<int, double> volumes;
+  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
+  {
+    double& volume = volumes[static_cast<int>(grid->GetCellData()->GetArray(name)->GetTuple1(c))];
+    for (const Ids& face : GetFaces(grid, c))
+    {
+      volume += GetFlux(grid, face) / 6.;
+    }
+  }
+  return volumes;
+}
+
 /// The faces of solids, by their sorted corners.
 struct SolidFaces
 {

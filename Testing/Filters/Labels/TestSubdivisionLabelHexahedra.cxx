@@ -28,21 +28,6 @@ Rule BallsOf(int n)
   };
 }
 
-/// The volume of each label, by faces.
-std::map<int, double> MeasureLabels(vtkUnstructuredGrid* grid)
-{
-  std::map<int, double> volumes;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    for (const Ids& face : GetFaces(grid, c))
-    {
-      volumes[static_cast<int>(grid->GetCellData()->GetArray("Tissue")->GetComponent(c, 0))] +=
-        GetFlux(grid, face) / 6.;
-    }
-  }
-  return volumes;
-}
-
 /// How many corners of hexahedra are inverted, by the edges that meet there.
 int CountInvertedCorners(vtkUnstructuredGrid* grid)
 {
@@ -81,7 +66,7 @@ TEST(SubdivisionLabelHexahedra, ControlVoxelsStayWhole)
   made.ExpectSilence();
   const int voxels = static_cast<int>(wanted[1] + wanted[2]);
   EXPECT_EQ(CountTypes(solid), (std::map<int, int>{ { VTK_HEXAHEDRON, voxels } }));
-  const auto volumes = MeasureLabels(solid);
+  const auto volumes = MeasureSolidsBy(solid, "Tissue");
   ASSERT_EQ(volumes.size(), 2u);
   for (const auto& [label, volume] : volumes)
   {
@@ -121,7 +106,7 @@ TEST(SubdivisionLabelHexahedra, AllLevelsAreOnTheLimit)
     wanted[BallsOf(n)(i % n, i / n % n, i / n / n)] += 1.;
   }
   EXPECT_EQ(solid->GetNumberOfCells(), 8 * static_cast<vtkIdType>(wanted[1] + wanted[2]));
-  for (const auto& [label, volume] : MeasureLabels(solid))
+  for (const auto& [label, volume] : MeasureSolidsBy(solid, "Tissue"))
   {
     EXPECT_NEAR(volume / wanted[label], 1., .005) << label;
   }
@@ -142,7 +127,7 @@ TEST(SubdivisionLabelHexahedra, TheBorderStaysFlat)
     const Grid solid = made.Run(image);
     made.ExpectSilence();
     EXPECT_EQ(CountTypes(solid), (std::map<int, int>{ { VTK_HEXAHEDRON, 64 << 3 * levels } }));
-    EXPECT_NEAR(MeasureLabels(solid)[1], 64., 1e-5);
+    EXPECT_NEAR(MeasureSolidsBy(solid, "Tissue")[1], 64., 1e-5);
   }
 }
 

@@ -4,6 +4,7 @@
  * VolumeScheme = HYBRID: smooth subdivision in which every cell keeps its type (Mathematics 15).
  */
 #include "HybridFilterTools.h"
+#include "TypedCellTools.h"
 
 #include "vtkImageData.h"
 #include "vtkIntArray.h"
@@ -12,6 +13,7 @@
 #include <cstdlib>
 
 using namespace hybrid_filter_tools;
+using typed_cell_tools::CountTypes;
 
 namespace
 {
@@ -34,16 +36,6 @@ Grid MakeCube()
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 2, 2);
   return Execute(image, 0, Hybrid);
-}
-
-std::map<int, int> CountTypes(vtkUnstructuredGrid* grid)
-{
-  std::map<int, int> counts;
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    ++counts[grid->GetCellType(c)];
-  }
-  return counts;
 }
 
 }

@@ -42,23 +42,6 @@ Grid MakeMixed(double bend)
       { VTK_TRIANGLE, { 12, 13, 14 } }, { VTK_LINE, { 14, 10 } }, { VTK_VERTEX, { 14 } } });
 }
 
-/// The volume of the cells that come from each input cell.
-std::map<int, double> MeasureByOrigin(vtkUnstructuredGrid* grid)
-{
-  std::map<int, double> volumes;
-  vtkDataArray* origins = grid->GetCellData()->GetArray("vtkOriginalCellIds");
-  for (vtkIdType c = 0; c < grid->GetNumberOfCells(); ++c)
-  {
-    double volume = 0.;
-    for (const Ids& face : GetFaces(grid, c))
-    {
-      volume += GetFlux(grid, face) / 6.;
-    }
-    volumes[static_cast<int>(origins->GetComponent(c, 0))] += volume;
-  }
-  return volumes;
-}
-
 /// How many faces of solids are there once, and how many twice. Where there is a hanging face,
 /// fewer are there twice.
 std::pair<int, int> CountFaces(vtkUnstructuredGrid* grid)
@@ -117,7 +100,7 @@ TEST(KeepCellTypes, NoFaceHangsAndVolumesAreKept)
   {
     const Grid input = MakeMixed(bend);
     const Grid start = Refine(input, 0);
-    const auto volumes = MeasureByOrigin(start);
+    const auto volumes = MeasureSolidsBy(start, "vtkOriginalCellIds");
     for (int c = 0; c < 5; ++c)
     {
       EXPECT_GT(volumes.at(c), 0.1) << "the faces of all cells point outward";
@@ -128,7 +111,7 @@ TEST(KeepCellTypes, NoFaceHangsAndVolumesAreKept)
     for (int levels = 1; levels <= 2; ++levels)
     {
       const Grid output = Refine(input, levels);
-      const auto now = MeasureByOrigin(output);
+      const auto now = MeasureSolidsBy(output, "vtkOriginalCellIds");
       for (const auto& [cell, volume] : volumes)
       {
         EXPECT_NEAR(now.at(cell), volume, 1e-13) << "cell " << cell;

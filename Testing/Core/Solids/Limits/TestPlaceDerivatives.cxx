@@ -77,19 +77,6 @@ std::vector<Found> Evaluate(const LevelType& level, const SemiSharpStages<int>& 
   return all;
 }
 
-int FindEdge(const SimplicialComplex<int>& complex, int a, int b)
-{
-  for (int e = 0; e < complex.NumberOfEdges; ++e)
-  {
-    const int* ends = complex.EdgeVertices.data() + 2 * e;
-    if ((ends[0] == a && ends[1] == b) || (ends[0] == b && ends[1] == a))
-    {
-      return e;
-    }
-  }
-  return -1;
-}
-
 /// Places at powers of 1/2 from a corner of a simplex, and where they are in the part at the
 /// corner.
 template <typename LevelType>
