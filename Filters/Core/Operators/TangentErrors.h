@@ -43,22 +43,22 @@ struct TangentPairs
  * together at most 2 unit |w| |p|. Summing m products in double adds m 2^-53 |w| |p|. Each weight
  * is computed from a few sines, with an absolute error up to 2^-51 even if it should be 0.
  */
-template <typename Id>
+template <typename Id, typename Real>
 double GetTangentError(
-  const Id* columns, const double* weights, vtkIdType size, const double* points, double unit)
+  const Id* columns, const double* weights, vtkIdType size, const Real* points, double unit)
 {
   const double ofPoints = 2. * unit + static_cast<double>(size) * DoubleUnit;
   double error = 0.;
   for (vtkIdType k = 0; k < size; ++k)
   {
-    const double* p = points + 3 * static_cast<vtkIdType>(columns[k]);
+    const Real* p = points + 3 * static_cast<vtkIdType>(columns[k]);
     error += (ofPoints * std::abs(weights[k]) + 4. * DoubleUnit) *
-      std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) });
+      static_cast<double>(std::max({ std::abs(p[0]), std::abs(p[1]), std::abs(p[2]) }));
   }
   return error;
 }
-template <typename Id>
-double GetTangentError(const RowBlock<Id>& rows, std::size_t row, const double* points, double unit)
+template <typename Id, typename Real>
+double GetTangentError(const RowBlock<Id>& rows, std::size_t row, const Real* points, double unit)
 {
   const std::size_t begin = rows.GetBegin(row);
   return GetTangentError(rows.GetColumns() + begin, rows.GetWeights() + begin,
@@ -66,14 +66,15 @@ double GetTangentError(const RowBlock<Id>& rows, std::size_t row, const double* 
 }
 
 /// The largest size of values that are no NaN.
-inline double FindLargest(const double* values, vtkIdType size)
+template <typename Real>
+double FindLargest(const Real* values, vtkIdType size)
 {
   std::atomic<double> largest{ 0. };
   ForRanges(size,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const double own = std::accumulate(values + begin, values + end, 0.,
-        [](double before, double value) { return std::max(before, std::abs(value)); });
+      const double own = std::accumulate(values + begin, values + end, Real(0),
+        [](Real before, Real value) { return std::max(before, std::abs(value)); });
       double all = largest;
       while (all < own && !largest.compare_exchange_weak(all, own))
       {
@@ -91,46 +92,21 @@ inline double GetTangentBound(const double* weights, vtkIdType size, double larg
   return largest * (1.01 * (2. * unit + entries * DoubleUnit) * sum + 4.01 * DoubleUnit * entries);
 }
 
-/// The same for all rows of a block.
-template <typename Id>
-void FindTangentErrors(const RowBlock<Id>& rows, double largest, double unit, double* errors)
-{
-  const auto getError = [=](const double* weights, vtkIdType size)
-  { return GetTangentBound(weights, size, largest, unit); };
-  rows.ForRuns(0,
-    [&](const auto& run)
-    {
-      using Run = std::decay_t<decltype(run)>;
-      if constexpr (std::is_same<Run, EqualRows<Id>>::value)
-      {
-        std::fill_n(errors + run.FirstRow, run.Count, getError(run.Weights, run.Size));
-      }
-      else if constexpr (std::is_same<Run, WeightedRows<Id>>::value)
-      {
-        for (vtkIdType i = 0; i < run.Count; ++i)
-        {
-          errors[run.FirstRow + i] =
-            getError(run.Weights + run.Offsets[i], run.Offsets[i + 1] - run.Offsets[i]);
-        }
-      }
-      else
-      {
-        std::fill_n(errors + run.FirstRow, run.Count, std::numeric_limits<double>::infinity());
-      }
-    });
-}
-
 /// FindNormal where this takes few operations. False: the tangents may be parallel within `error`,
-/// or their squares are too large or too small.
-inline bool FindClearNormal(const double* a, const double* b, double error, double normal[3])
+/// or their squares are too large or too small. `most`: of the sum of their squares, if it is
+/// known.
+[[gnu::always_inline]] inline bool FindClearNormal(const double* a, const double* b, double error,
+  double normal[3], double most = std::numeric_limits<double>::infinity())
 {
   const auto square = [](const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; };
   const double across[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0] };
   const double length = square(across);
   // The square of a sum of three is at most three times the sum of squares.
-  const double least = 3.01 * error * error * (square(a) + square(b) + error * error);
-  if (!(length > least && length > 1e-200 && length < 1e200))
+  const double factorOfError = 3.01 * error * error;
+  if (!(length > factorOfError * (most + error * error) ||
+        length > factorOfError * (square(a) + square(b) + error * error)) ||
+    !(length > 1e-200 && length < 1e200))
   {
     return false;
   }

@@ -4,7 +4,6 @@
 #include "Core/Memory/CellSplits.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
-#include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
@@ -18,8 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -62,17 +61,14 @@ bool IsClosed(const SurfaceCells& cells)
 double CountIrregular(const SurfaceCells& cells, bool hasTriangles, int levels)
 {
   std::vector<vtkIdType> faces(static_cast<std::size_t>(cells.NumberOfPoints)); // at each point
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
-  edges.reserve(cells.Corners.size());
   double irregular = 0.;
   for (const auto face : InTurn(cells.GetNumberOfFaces()))
   {
     const vtkIdType begin = cells.FaceOffsets[face];
     const vtkIdType end = cells.FaceOffsets[face + 1];
     irregular += hasTriangles || end - begin == 4 ? 0. : 1. + static_cast<double>(end - begin);
-    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      edges.emplace_back(cells.Corners[last], cells.Corners[i]);
       ++faces[cells.Corners[i]];
     }
   }
@@ -81,16 +77,38 @@ double CountIrregular(const SurfaceCells& cells, bool hasTriangles, int levels)
   {
     irregular += size == 0 || size == regular ? 0. : 1. + static_cast<double>(size);
   }
-  StableSort(edges, std::less<>());
-  double open = 0.;
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  // The other ends of the edges that begin at each point, in order.
+  std::vector<vtkIdType> places(faces.size() + 1, 0);
+  std::partial_sum(faces.begin(), faces.end(), places.begin() + 1);
+  std::vector<vtkIdType> ends(cells.Corners.size());
+  for (const auto face : InTurn(cells.GetNumberOfFaces()))
   {
-    const auto [a, b] = edges[i];
-    if (i > 0 && edges[i - 1] == edges[i])
+    const vtkIdType begin = cells.FaceOffsets[face];
+    const vtkIdType end = cells.FaceOffsets[face + 1];
+    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
     {
-      return std::numeric_limits<double>::infinity();
+      const vtkIdType a = cells.Corners[last];
+      ends[places[a + 1] - faces[a]--] = cells.Corners[i];
     }
-    open += std::binary_search(edges.begin(), edges.end(), std::make_pair(b, a)) ? 0. : 1.;
+  }
+  for (const std::size_t a : InTurn(faces.size()))
+  {
+    std::sort(ends.begin() + places[a], ends.begin() + places[a + 1]);
+  }
+  double open = 0.;
+  for (const std::size_t a : InTurn(faces.size()))
+  {
+    for (vtkIdType i = places[a]; i < places[a + 1]; ++i)
+    {
+      if (i > places[a] && ends[i - 1] == ends[i])
+      {
+        return std::numeric_limits<double>::infinity();
+      }
+      open += std::binary_search(ends.begin() + places[ends[i]], ends.begin() + places[ends[i] + 1],
+                static_cast<vtkIdType>(a))
+        ? 0.
+        : 1.;
+    }
   }
   return irregular + std::ldexp(3. * open, levels - 1);
 }

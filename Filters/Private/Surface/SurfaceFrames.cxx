@@ -6,14 +6,20 @@
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/ForBlocks.h"
 #include "Core/Operators/ShadingNormals.h"
+#include "Core/Operators/Sums.h"
 #include "Core/Surfaces/Scheme/ShadingDescent.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Core/Surfaces/Scheme/SurfaceSides.h"
+#include "Private/ArrayNames.h"
+#include "Private/Arrays/Arrays.h"
 
 #include "vtkDataArray.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <functional>
+#include <numeric>
 #include <type_traits>
 
 namespace subdivision
@@ -66,32 +72,26 @@ namespace
 {
 
 /// Tangents and normals of some vertices in a row, from their limit rows.
-template <typename Id>
+template <typename Id, typename Real>
 class FrameBlock
 {
 public:
   FrameBlock(const SurfaceScheme<Id>& scheme, const typename SurfaceSteps<Id>::AppendLimits& append,
-    const double* points, double largest, double unit)
+    const Real* points, double largest)
     : Scheme(scheme)
     , Append(append)
     , Points(points)
     , Largest(largest)
-    , Unit(unit)
   {
   }
 
   void Sum(vtkIdType begin, vtkIdType end)
   {
     this->First = begin;
+    this->Squares = 0.;
     this->Rows[0].Clear();
     this->Append(LimitKind::Tangent1, begin, end, this->Rows[0]);
-    FindTangentErrors(this->Rows[0], this->Largest, this->Unit, this->Bounds[0]);
-    this->Rows[0].ForRuns(0,
-      [&](const auto& run)
-      {
-        SumRows(run, this->Points, this->Values[0], 3);
-        this->SumSecond(run);
-      });
+    this->Rows[0].ForRuns(0, [&](const auto& run) { this->SumBoth(run); });
   }
   void Turn(vtkIdType i)
   {
@@ -99,12 +99,12 @@ public:
       std::negate<>());
   }
   const double* GetTangent(int which, vtkIdType i) const { return this->Values[which] + 3 * i; }
-  /// Writes a normal, or, where there is none, the first tangent; then returns false.
-  bool WriteNormal(vtkIdType i, double* normal)
+  /// Finds a normal, or, where there is none, the first tangent; then returns false.
+  bool FindNormalOf(vtkIdType i, double normal[3])
   {
     const double* a = this->GetTangent(0, i);
     const double* b = this->GetTangent(1, i);
-    if (FindClearNormal(a, b, this->Bounds[0][i] + this->Bounds[1][i], normal))
+    if (FindClearNormal(a, b, this->Bounds[0][i] + this->Bounds[1][i], normal, this->Squares))
     {
       return true;
     }
@@ -113,7 +113,7 @@ public:
     {
       this->Rows[1].Clear();
       this->Append(kind, this->First + i, this->First + i + 1, this->Rows[1]);
-      error += GetTangentError(this->Rows[1], 0, this->Points, this->Unit);
+      error += GetTangentError(this->Rows[1], 0, this->Points, Unit);
     }
     FindNormal(a, b, error, normal);
     const bool isFound = std::any_of(normal, normal + 3, [](double value) { return value != 0.; });
@@ -122,39 +122,119 @@ public:
   }
 
 private:
-  /// The second tangents of vertices whose rows of the first tangent are `run`.
+  static constexpr double Unit = std::is_same<Real, float>::value ? SingleUnit : DoubleUnit;
+
+  /// The tangents of vertices whose rows of the first tangent are `run`.
   template <typename Run>
-  void SumSecond(const Run& run)
+  void SumBoth(const Run& run)
   {
-    double* bounds = this->Bounds[1] + run.FirstRow;
     if constexpr (std::is_same<Run, EqualRows<Id>>::value)
     {
-      if (const double* weights = this->Scheme.GetSecondTangent(run.Weights))
+      if (const double* second = this->Scheme.GetSecondTangent(run.Weights))
       {
-        const EqualRows<Id> second{ run.FirstRow, run.Count, run.Size, run.Columns, weights };
-        SumRows(second, this->Points, this->Values[1], 3);
-        std::fill_n(
-          bounds, run.Count, GetTangentBound(weights, run.Size, this->Largest, this->Unit));
-        return;
+        this->SetBounds(0, run.FirstRow, run.Count, run.Weights, run.Size);
+        this->SetBounds(1, run.FirstRow, run.Count, second, run.Size);
+        const bool isAround = run.Weights[0] == 0. && second[0] == 0.;
+        return isAround && run.Size == 7 ? this->SumPairs<7, 1>(run, second)
+          : isAround && run.Size == 9    ? this->SumPairs<9, 1>(run, second)
+          : isAround                     ? this->SumPairs<0, 1>(run, second)
+                                         : this->SumPairs<0, 0>(run, second);
       }
     }
+    this->SumRuns(0, run);
     const vtkIdType begin = this->First + run.FirstRow;
     this->Rows[1].Clear();
     this->Append(LimitKind::Tangent2, begin, begin + run.Count, this->Rows[1]);
-    this->Rows[1].ForRuns(
-      run.FirstRow, [&](const RowsView& rows) { SumRows(rows, this->Points, this->Values[1], 3); });
-    FindTangentErrors(this->Rows[1], this->Largest, this->Unit, bounds);
+    this->Rows[1].ForRuns(run.FirstRow, [&](const auto& rows) { this->SumRuns(1, rows); });
+  }
+  /// Both tangents in one pass over the columns, which they share. The own vertex counts for
+  /// neither where `First` is 1. `Size` as of SumEqualRows.
+  template <int Size, int First>
+  void SumPairs(const EqualRows<Id>& run, const double* second)
+  {
+    const int size = Size == 0 ? run.Size : Size;
+    double known[2 * Size + 2];
+    std::vector<double> other(Size == 0 ? 2 * size : 0);
+    double* const weights = Size == 0 ? other.data() : known;
+    for (int k = 0; k < size; ++k)
+    {
+      weights[2 * k] = run.Weights[k];
+      weights[2 * k + 1] = second[k];
+    }
+    const Id* columns = run.Columns;
+    Sums<2> sums[3]; // of each coordinate, for both
+    for (vtkIdType row = 3 * run.FirstRow; row < 3 * (run.FirstRow + run.Count); row += 3)
+    {
+      for (Sums<2>& sum : sums)
+      {
+        sum.Clear();
+      }
+      for (int k = First; k < size; ++k)
+      {
+        const Real* point = this->Points + 3 * static_cast<vtkIdType>(columns[k]);
+        sums[0].Add(static_cast<double>(point[0]), weights + 2 * k);
+        sums[1].Add(static_cast<double>(point[1]), weights + 2 * k);
+        sums[2].Add(static_cast<double>(point[2]), weights + 2 * k);
+      }
+      for (int c = 0; c < 3; ++c)
+      {
+        this->Values[0][row + c] = sums[c][0];
+        this->Values[1][row + c] = sums[c][1];
+      }
+      columns += size;
+    }
+  }
+  /// The same of one tangent.
+  void SumRow(int which, vtkIdType row, const Id* columns, const double* weights, vtkIdType size)
+  {
+    Sums<3> sums;
+    sums.Clear();
+    for (vtkIdType k = size > 0 && weights[0] == 0. ? 1 : 0; k < size; ++k)
+    {
+      sums.Add(weights[k], this->Points + 3 * static_cast<vtkIdType>(columns[k]));
+    }
+    sums.Write(this->Values[which] + 3 * row);
+  }
+  void SetBounds(int which, vtkIdType row, vtkIdType count, const double* weights, vtkIdType size)
+  {
+    std::fill_n(
+      this->Bounds[which] + row, count, GetTangentBound(weights, size, this->Largest, Unit));
+    const double sum = std::accumulate(weights, weights + size, 0.,
+      [](double before, double weight) { return before + std::abs(weight); });
+    this->Squares = std::max(this->Squares, 6.01 * std::pow(sum * this->Largest, 2));
+  }
+  template <typename Run>
+  void SumRuns(int which, const Run& run)
+  {
+    if constexpr (std::is_same<Run, EqualRows<Id>>::value)
+    {
+      this->SetBounds(which, run.FirstRow, run.Count, run.Weights, run.Size);
+      for (vtkIdType i = 0; i < run.Count; ++i)
+      {
+        this->SumRow(which, run.FirstRow + i, run.Columns + i * run.Size, run.Weights, run.Size);
+      }
+    }
+    else if constexpr (std::is_same<Run, WeightedRows<Id>>::value)
+    {
+      for (vtkIdType i = 0; i < run.Count; ++i)
+      {
+        const vtkIdType begin = run.Offsets[i];
+        const vtkIdType size = run.Offsets[i + 1] - begin;
+        this->SetBounds(which, run.FirstRow + i, 1, run.Weights + begin, size);
+        this->SumRow(which, run.FirstRow + i, run.Columns + begin, run.Weights + begin, size);
+      }
+    }
   }
 
   const SurfaceScheme<Id>& Scheme;
   const typename SurfaceSteps<Id>::AppendLimits& Append;
-  const double* const Points;
+  const Real* const Points;
   const double Largest;
-  const double Unit;
   vtkIdType First = 0;
   RowBlock<Id> Rows[2];
   double Values[2][3 * BlockSize];
   double Bounds[2][BlockSize];
+  double Squares = 0.; ///< of two tangents, at most
 };
 
 /// The face whose orientation the tangents of a vertex have, or -1.
@@ -207,28 +287,22 @@ void FindMissingNormals(const SurfaceSteps<Id>& steps, const Buffer<unsigned cha
     { std::copy_n(values[1].begin() + 3 * v, 3, normals + 3 * vtkIdType(patch.GetVertex(v))); });
 }
 
-}
-
-template <typename Id>
-TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
-  vtkDataArray* points, bool normals, bool tangents)
+/// Writes the tangents and normals that `frames` has room for. Real: of points and normals.
+template <typename Id, typename Real>
+void WriteFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+  vtkDataArray* points, LimitFrames& frames)
 {
-  const int type = points->GetDataType();
   const vtkIdType rows = points->GetNumberOfTuples();
-  TangentPairs pairs(0);
-  Buffer<double> converted;
-  const double* x = ReadDoubles(points->GetVoidPointer(0), type, 3 * rows, converted);
+  const auto* x = static_cast<const Real*>(points->GetVoidPointer(0));
+  auto* normals = frames.Normals ? static_cast<Real*>(frames.Normals->GetVoidPointer(0)) : nullptr;
   const double largest = FindLargest(x, 3 * rows);
-  for (Buffer<double>& values : pairs.Values)
-  {
-    values = Buffer<double>(tangents ? 3 * rows : 0);
-  }
-  pairs.Normals = Buffer<double>(normals ? 3 * rows : 0);
   Buffer<unsigned char> missing(normals ? rows : 0);
+  Buffer<double> others(3 * missing.size()); // what is missing: few pages are touched
+  std::atomic<bool> areMissing{ false };
   const SurfaceLevel<Id>& level = steps.GetLevel(steps.GetNumberOfSteps());
   const bool hasTags = !steps.GetScheme().IsDual();
   const auto append = steps.MakeLimits();
-  const auto write = [&](FrameBlock<Id>& block, vtkIdType begin, vtkIdType end)
+  const auto write = [&](FrameBlock<Id, Real>& block, vtkIdType begin, vtkIdType end)
   {
     block.Sum(begin, end);
     for (vtkIdType v = begin; v < end; ++v)
@@ -238,34 +312,71 @@ TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsig
       {
         block.Turn(v - begin);
       }
-      for (int k = 0; k < 2 && tangents; ++k)
+      for (int k = 0; k < 2 && !frames.Tangents[k].empty(); ++k)
       {
-        std::copy_n(block.GetTangent(k, v - begin), 3, pairs.Values[k].begin() + 3 * v);
+        std::copy_n(block.GetTangent(k, v - begin), 3, frames.Tangents[k].begin() + 3 * v);
       }
-      if (normals)
+      if (!normals)
       {
-        missing[v] = !block.WriteNormal(v - begin, pairs.Normals.data() + 3 * v);
+        continue;
       }
+      double normal[3];
+      missing[v] = !block.FindNormalOf(v - begin, normal);
+      if (!missing[v])
+      {
+        std::transform(normal, normal + 3, normals + 3 * v, [](double c) { return Real(c); });
+        continue;
+      }
+      std::copy_n(normal, 3, others.begin() + 3 * v);
+      areMissing = true;
     }
   };
   ForRanges(rows,
     [&](vtkIdType first, vtkIdType last)
     {
-      FrameBlock<Id> block(
-        steps.GetScheme(), append, x, largest, type == VTK_FLOAT ? SingleUnit : DoubleUnit);
+      FrameBlock<Id, Real> block(steps.GetScheme(), append, x, largest);
       ForBlocks(first, last, [&](vtkIdType begin, vtkIdType end) { write(block, begin, end); });
     });
+  if (!areMissing)
+  {
+    return;
+  }
+  Buffer<double> converted;
+  const double* all = ReadDoubles(x, points->GetDataType(), 3 * rows, converted);
+  steps.GetLevelOfLimits() ? FindMissingNormals(steps, missing, all, others.data())
+                           : FindShadingNormals(steps.GetScheme(), level, steps.GetSharpCreases(),
+                               turned, missing, all, others.data());
+  ForEach(rows,
+    [&](vtkIdType v)
+    {
+      std::transform(others.begin() + 3 * v, others.begin() + (missing[v] ? 3 * v + 3 : 3 * v),
+        normals + 3 * v, [](double c) { return Real(c); });
+    });
+}
+
+}
+
+template <typename Id>
+LimitFrames FindLimitFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+  vtkDataArray* points, bool normals, bool tangents)
+{
+  LimitFrames frames;
+  for (Buffer<double>& values : frames.Tangents)
+  {
+    values = Buffer<double>(tangents ? 3 * points->GetNumberOfTuples() : 0);
+  }
   if (normals)
   {
-    steps.GetLevelOfLimits() ? FindMissingNormals(steps, missing, x, pairs.Normals.data())
-                             : FindShadingNormals(steps.GetScheme(), level, steps.GetSharpCreases(),
-                                 turned, missing, x, pairs.Normals.data());
+    frames.Normals = MakeArray(points->GetDataType(), 3, points->GetNumberOfTuples());
+    frames.Normals->SetName(LimitNormalsName);
   }
-  return pairs;
+  points->GetDataType() == VTK_FLOAT ? WriteFrames<Id, float>(steps, turned, points, frames)
+                                     : WriteFrames<Id, double>(steps, turned, points, frames);
+  return frames;
 }
 
 SUBDIVISION_COMPILE_FUNCTION(FindNormals);
 SUBDIVISION_COMPILE_FUNCTION(SpreadTurned);
-SUBDIVISION_COMPILE_FUNCTION(FindLimitTangents);
+SUBDIVISION_COMPILE_FUNCTION(FindLimitFrames);
 
 }

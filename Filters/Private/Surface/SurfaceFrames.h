@@ -9,7 +9,8 @@
 #include "Core/Operators/TangentErrors.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
-class vtkDataArray;
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 
 namespace subdivision
 {
@@ -19,11 +20,18 @@ namespace subdivision
 template <typename Id>
 Buffer<unsigned char> SpreadTurned(const SurfaceSteps<Id>& steps, Buffer<unsigned char>&& turned);
 
-/// The tangents at the limits of the vertices of the last level, whose faces are `turned`, and the
-/// normals, without errors, each if somebody wants them. `points`: the vertices before they are
-/// moved to the limit, float or double.
+/// Normals in the type of the points, and two tangents for each vertex; each only if somebody wants
+/// it.
+struct LimitFrames
+{
+  vtkSmartPointer<vtkDataArray> Normals;
+  Buffer<double> Tangents[2];
+};
+
+/// These at the limits of the vertices of the last level, whose faces are `turned`. `points`: the
+/// vertices before they are moved to the limit, float or double.
 template <typename Id>
-TangentPairs FindLimitTangents(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
+LimitFrames FindLimitFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
   vtkDataArray* points, bool normals, bool tangents);
 
 /// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so

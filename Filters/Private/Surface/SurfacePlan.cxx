@@ -461,14 +461,20 @@ vtkSmartPointer<vtkDataArray> SurfaceRun<Id>::FollowPoints(const Buffer<unsigned
     FindJoinedVertices(*this->Steps, *this->Joined, this->Cells.NumberOfPoints);
   if (this->MakesFrames())
   {
-    TangentPairs tangents = this->FindFrames(*this->Joined, turned, points);
-    for (Buffer<double>* values : { tangents.Values, tangents.Values + 1, &tangents.Normals })
+    LimitFrames frames = this->FindFrames(*this->Joined, turned, points);
+    for (Buffer<double>& values : frames.Tangents)
     {
-      Buffer<double> taken(values->empty() ? 0 : 3 * sources.size());
-      ForEach(taken.size(), [&](vtkIdType i) { taken[i] = (*values)[3 * sources[i / 3] + i % 3]; });
-      *values = std::move(taken);
+      Buffer<double> taken(values.empty() ? 0 : 3 * sources.size());
+      ForEach(taken.size(), [&](vtkIdType i) { taken[i] = values[3 * sources[i / 3] + i % 3]; });
+      values = std::move(taken);
     }
-    this->SetFrames(tangents);
+    if (frames.Normals)
+    {
+      frames.Normals =
+        vtkDataArray::SafeDownCast(Gather(frames.Normals, { sources.begin(), sources.end() }));
+      frames.Normals->SetName(LimitNormalsName);
+    }
+    this->SetFrames(frames);
   }
   if (this->Options.ProjectToLimit)
   {

@@ -216,21 +216,18 @@ private:
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(
     const PolygonMesh<Id>& mesh, OtherPartitions& others) const;
-  TangentPairs FindFrames(
+  LimitFrames FindFrames(
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
   {
-    return FindLimitTangents(
+    return FindLimitFrames(
       steps, turned, points, this->MakesNormals, this->Options.GenerateTangents);
   }
-  void SetFrames(const TangentPairs& tangents)
+  void SetFrames(const LimitFrames& frames)
   {
-    if (this->MakesNormals)
-    {
-      this->Points->SetLimitNormals(tangents.Normals);
-    }
+    this->Points->ReuseLimitNormals(frames.Normals);
     if (this->Options.GenerateTangents)
     {
-      this->Points->SetLimitTangents(tangents.Values);
+      this->Points->SetLimitTangents(frames.Tangents);
     }
   }
   void WriteCells();

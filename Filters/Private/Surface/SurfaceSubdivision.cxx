@@ -99,8 +99,8 @@ bool SurfaceRun<Id>::Execute()
     }
   }
   const bool addFrames = !this->Joined && this->MakesFrames();
-  const TangentPairs tangents =
-    addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : TangentPairs(0);
+  const LimitFrames frames =
+    addFrames ? this->FindFrames(*this->Steps, turned, this->Points->GetPoints()) : LimitFrames();
   if (this->Options.ProjectToLimit)
   {
     const BlockOperator<Id> limit = this->Steps->GetLimit(LimitKind::Position);
@@ -112,7 +112,7 @@ bool SurfaceRun<Id>::Execute()
   }
   if (addFrames)
   {
-    this->SetFrames(tangents);
+    this->SetFrames(frames);
   }
   this->WriteCells(); // after the points: the last level but one takes no memory any more
   this->Points->Finish(this->Output);

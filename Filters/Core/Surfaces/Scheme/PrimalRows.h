@@ -70,12 +70,20 @@ public:
   /// Whether all vertices of the faces of an edge, or of a face, are regular.
   bool IsRegularEdge(const IrregularRows<Id>& others, Id edge) const
   {
+    if (others.IsEmpty())
+    {
+      return true;
+    }
     const Id corner = this->Mesh.EdgeCorners[edge];
     return this->IsRegularFace(others, corner / Arity) &&
       this->IsRegularFace(others, this->Mesh.Twins[corner] / Arity);
   }
   bool IsRegularFace(const IrregularRows<Id>& others, vtkIdType face) const
   {
+    if (others.IsEmpty())
+    {
+      return true;
+    }
     const Id* x = this->Mesh.Vertices.data() + Arity * face;
     return std::none_of(x, x + Arity, [&others](Id v) { return others.IsIrregular(v); });
   }
@@ -218,12 +226,14 @@ private:
   {
     Side(const PrimalRowsOfNext& of, Id corner)
     {
-      const Id next = corner % Arity == Arity - 1 ? corner - (Arity - 1) : corner + 1;
-      const Id before = corner % Arity == 0 ? corner + (Arity - 1) : corner - 1;
+      const Id face = corner / Arity;
+      const Id own = corner - Arity * face;
+      const Id next = own == Arity - 1 ? corner - (Arity - 1) : corner + 1;
+      const Id before = own == 0 ? corner + (Arity - 1) : corner - 1;
       this->Begin = of.Mesh.Vertices[corner];
       this->End = of.Mesh.Vertices[next];
       this->AfterEnd = of.EdgePoints + of.Mesh.Edges[next];
-      this->Middle = of.FacePoints + corner / Arity;
+      this->Middle = of.FacePoints + face;
       this->BeforeBegin = of.EdgePoints + of.Mesh.Edges[before];
     }
     /// The vertices opposite to the half at the beginning, or at the end.

@@ -134,7 +134,8 @@ public:
   void Append(vtkIdType row, RowBlock<Id>& rows) const;
   void AppendLimit(LimitKind kind, vtkIdType row, RowBlock<Id>& rows) const;
   /// Whether a vertex of the level is one of these.
-  bool IsIrregular(Id vertex) const { return !this->Flags.empty() && this->Flags[vertex] != 0; }
+  bool IsIrregular(Id vertex) const { return !this->IsEmpty() && this->Flags[vertex] != 0; }
+  bool IsEmpty() const { return this->Flags.empty(); }
 
 private:
   const SurfaceScheme<Id>& Scheme;
