@@ -3,6 +3,7 @@
 
 #include "Private/ArrayNames.h"
 #include "Private/Criteria/RefinementInput.h"
+#include "Private/Reading/InputArrays.h"
 #include "Private/Reading/SelectedParts.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/Ports.h"
@@ -163,8 +164,17 @@ bool vtkRefinementAlgorithm::ReadCriteria(vtkPointSet* input,
   }
   if (this->RefineByAttributeError && !this->RefineBySelection && criteria.IsEmpty())
   {
-    criteria.ByGeometricError = true; // the default does something on each mesh
+    criteria.ByGeometricError = true;
   }
+  // The default does something on each mesh: of surfaces it is geometry, else an array that nobody
+  // named.
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool isNamed = !subdivision::GetInputArrayName(this, ATTRIBUTE_ARRAY, association).empty();
+  criteria.AreDefaults = this->RefineByGeometricError == this->IsOfSurfaces() &&
+    this->RefineByAttributeError != this->IsOfSurfaces() && !isNamed && !this->RefineByCurvature &&
+    !this->RefineByEdgeLength && !this->RefineBySelection && !criteria.ReadsCells() &&
+    !criteria.Function && this->AttributeTolerance == 0.1 && this->AttributeErrorKind == JUMP &&
+    this->GeometricTolerance == 0.001 && this->RelativeTolerance;
   return true;
 }
 

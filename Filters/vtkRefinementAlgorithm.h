@@ -58,11 +58,11 @@ public:
 
   ///@{
   /**
-   * Whether edges are split along which the point array at index 5 has an error
-   * (AttributeErrorKind) above AttributeTolerance. Several components are taken as a vector. An
-   * edge with a value that is not finite is not split for this reason; a warning says how many
-   * there are. Where the input has no such array and nothing else is asked for, edges are split as
-   * by RefineByGeometricError. On by default.
+   * Whether edges are split along which the point array at index 5 has a larger error
+   * (AttributeErrorKind; of a vector) than AttributeTolerance; not if a value is not finite, which
+   * a warning counts. Where there is no array, and nothing else is asked for, geometry counts, and
+   * where default options ask for nothing, length: edges are split that are longer than half of
+   * the longest one. On by default.
    */
   vtkSetMacro(RefineByAttributeError, bool);
   vtkGetMacro(RefineByAttributeError, bool);

@@ -45,7 +45,7 @@ template <typename Id>
 class AdaptiveRun
 {
 public:
-  AdaptiveRun(vtkPolyData* input, const SurfaceOptions& options, const RefinementOptions& criteria,
+  AdaptiveRun(vtkPolyData* input, const SurfaceOptions& options, RefinementOptions& criteria,
     const SurfaceCells& cells, OtherPartitions* others, vtkPolyData* output)
     : Input(input)
     , Options(options)
@@ -150,6 +150,11 @@ private:
       const auto size = static_cast<vtkIdType>(marks.size());
       if ((this->Others ? this->Others->Sum(size) : size) == 0)
       {
+        if (round == 0 && this->Wanted.AreDefaults &&
+          this->Wanted.GoByLength(this->FindLongestEdge(criteria.GetCoordinates())))
+        {
+          return this->RunRounds(mostCells);
+        }
         break;
       }
       StableSort(marks,
@@ -162,6 +167,16 @@ private:
     }
     this->TellNotes(notes);
     return true;
+  }
+  double FindLongestEdge(const ContinuedArray& points) const
+  {
+    const Buffer<Id>& ends = this->Control.Mesh.EdgeVertices;
+    double longest = 0.;
+    for (const vtkIdType i : InTurn(ends.size() / 2))
+    {
+      longest = std::max(longest, points.GetDistance(ends[2 * i], ends[2 * i + 1], 0.));
+    }
+    return longest;
   }
   /// Does the splits of a round, and returns how many did not fit.
   vtkIdType Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)
@@ -335,7 +350,7 @@ private:
 
   vtkPolyData* Input;
   const SurfaceOptions& Options;
-  const RefinementOptions& Wanted;
+  RefinementOptions& Wanted;
   const SurfaceCells& Cells;
   OtherPartitions* Others; ///< null: the input is the whole surface
   vtkPolyData* Output;

@@ -20,6 +20,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkPointSet;
@@ -61,6 +62,21 @@ struct RefinementOptions
 
   vtkSmartPointer<vtkDataArray> WantedLevel; ///< of cells
   int MaximumLevel = 3;
+  /// Whether nobody chose criteria or tolerances: then something is refined on each mesh.
+  bool AreDefaults = false;
+  /// Where they ask for nothing: edges longer than half of the longest one. Returns whether that is
+  /// new.
+  bool GoByLength(double longest)
+  {
+    std::vector<double> lengths{ longest };
+    if (this->AreDefaults && this->FindLargest)
+    {
+      this->FindLargest(lengths);
+    }
+    this->MaximumEdgeLength = this->AreDefaults ? 0.5 * lengths[0] : this->MaximumEdgeLength;
+    this->ByEdgeLength = this->ByEdgeLength || this->AreDefaults;
+    return std::exchange(this->AreDefaults, false);
+  }
   /// Whether integers at new points are interpolated, as in PointArrays.
   bool InterpolateIntegers = false;
 

@@ -25,7 +25,7 @@ namespace subdivision
 class RedGreenRun
 {
 public:
-  RedGreenRun(vtkPointSet* input, const RedGreenOptions& options, vtkUnstructuredGrid* output)
+  RedGreenRun(vtkPointSet* input, RedGreenOptions& options, vtkUnstructuredGrid* output)
     : Input(input)
     , Options(options)
     , Others(options.Others)
@@ -59,6 +59,8 @@ private:
   Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenErrors<Id>* errors,
     MarkNotes& notes) const;
   template <typename Id>
+  double FindLongestEdge(const RedGreen<Id>& state) const;
+  template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);
   bool IsTooLarge(vtkIdType ownCells);
   bool AllAgree(bool own) const { return this->Others ? this->Others->Sum(own ? 0 : 1) == 0 : own; }
@@ -85,7 +87,7 @@ private:
   }
 
   vtkPointSet* Input;
-  const RedGreenOptions& Options;
+  RedGreenOptions& Options;
   OtherPartitions* Others; ///< null: the input is the whole mesh
   vtkUnstructuredGrid* Output;
   RedGreenMesh Mesh;

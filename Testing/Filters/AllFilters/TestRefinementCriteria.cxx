@@ -4,8 +4,12 @@
 #include "AdaptiveFilterTools.h"
 #include "SelectionTools.h"
 
+#include "vtkFloatArray.h"
+#include "vtkPlaneSource.h"
 #include "vtkRedGreenRefinement.h"
 #include "vtkSphere.h"
+#include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
 
 using namespace adaptive_filter_tools;
 
@@ -173,5 +177,43 @@ TYPED_TEST(EveryRefinement, TwoCriteriaAskForMore)
     EXPECT_GE(both->GetNumberOfCells(), RunAt<TypeParam>(input, configure, 2)->GetNumberOfCells());
     EXPECT_GE(
       both->GetNumberOfCells(), RunAt<TypeParam>(input, SelectOneCell, 2)->GetNumberOfCells());
+  }
+}
+
+/// Flat, with an array that says nothing, or without arrays, or a sphere that is fine enough.
+TYPED_TEST(EveryRefinement, DefaultsDoSomethingOnEachMesh)
+{
+  const auto withoutArrays = [](vtkPolyDataAlgorithm* source)
+  {
+    source->Update();
+    PolyData mesh = source->GetOutput();
+    mesh->GetPointData()->Initialize();
+    return mesh;
+  };
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(100);
+  sphere->SetPhiResolution(100);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(60, 60);
+  const PolyData constant = MakeHill(8);
+  vtkNew<vtkFloatArray> values;
+  values->SetName("Constant");
+  values->SetNumberOfValues(constant->GetNumberOfPoints());
+  values->FillValue(1.F);
+  constant->GetPointData()->Initialize();
+  constant->GetPointData()->SetScalars(values);
+  for (const PolyData& input : { withoutArrays(sphere), withoutArrays(plane), constant })
+  {
+    vtkNew<TypeParam> filter;
+    filter->SetInputData(input);
+    filter->Update();
+    const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
+    vtkNew<TypeParam> chosen;
+    chosen->SetInputData(input);
+    chosen->SetAttributeTolerance(0.2);
+    chosen->SetGeometricTolerance(0.1);
+    chosen->Update();
+    EXPECT_GT(cells, chosen->GetOutput()->GetNumberOfCells());
+    EXPECT_LT(cells, 16 * input->GetNumberOfCells()) << "once for each of the longest edges";
   }
 }
