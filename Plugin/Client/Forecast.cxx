@@ -76,6 +76,7 @@ int GetKind(vtkSMProxy* filter)
   return name == "SurfaceSubdivision"      ? ForecastOptions::OfSurfaces
     : name == "RedGreenRefinement"         ? ForecastOptions::RedGreen
     : name == "AdaptiveSurfaceSubdivision" ? ForecastOptions::Adaptive
+    : name == "SubdivisionLabelSolid"      ? ForecastOptions::OfLabels
                                            : ForecastOptions::OfAllDimensions;
 }
 
@@ -121,6 +122,16 @@ ForecastOptions ReadOptions(
       options.Dimensions.at(static_cast<std::size_t>(std::clamp(chosen.GetAsInt(i), 0, 3))) = true;
     }
   }
+  if (options.Kind == ForecastOptions::OfLabels)
+  {
+    options.MaximumNumberOfVoxels = GetShown(filter, "NumberOfControlCells");
+    options.OutputCells += options.OutputCells > 0 ? 1 : 0; // there are no Bezier cells
+    options.VolumeScheme = GetShown(filter, "CellType") != 0 ? 3 : options.VolumeScheme;
+    options.BytesPerPoint = 24.;
+    options.BytesPerCell = GetBytesPerTuple(information->GetPointDataInformation()) +
+      GetBytesPerTuple(information->GetCellDataInformation());
+    return options;
+  }
   options.MaximumNumberOfCells =
     vtkSMUncheckedPropertyHelper(filter, "MaximumNumberOfCells").GetAsDouble(0);
   auto* points = information->GetPointArrayInformation(); // images have none, and get double ones
@@ -137,7 +148,8 @@ const std::vector<std::string>& GetForetellingProperties()
   static const std::vector<std::string> names{ "NumberOfLevels", "MaximumLevel", "Scheme",
     "VolumeScheme", "KeepCellTypes", "OutputDimensions", "OutputCells", "CellOrder",
     "ProjectToLimit", "SmoothShading", "GenerateLimitNormals", "GenerateTangents",
-    "GenerateErrorBounds", "GenerateClassification", "MaximumNumberOfCells", "Input" };
+    "GenerateErrorBounds", "GenerateClassification", "MaximumNumberOfCells", "NumberOfControlCells",
+    "CellType", "Input" };
   return names;
 }
 
@@ -153,7 +165,15 @@ Forecast Foretell(vtkSMProxy* filter, int levels)
   {
     return { cells, 1024. * static_cast<double>(information->GetMemorySize()), 0., 0., false };
   }
-  const ControlCounts counts = CountOnServer(filter, cells);
+  ControlCounts counts{};
+  if (GetKind(filter) == ForecastOptions::OfLabels)
+  {
+    counts[5] = static_cast<double>(information->GetNumberOfPoints()); // or cells, which are fewer
+  }
+  else
+  {
+    counts = CountOnServer(filter, cells);
+  }
   return Foretell(counts, ReadOptions(filter, levels, information, counts));
 }
 

@@ -70,6 +70,12 @@ Numbers CountCells(const ForecastOptions& options, const ControlCounts& counts, 
       isAdaptive ? counts[2] * std::pow(3., levels) : CountFaces(options.Scheme, counts, levels),
       0. };
   }
+  if (options.Kind == ForecastOptions::OfLabels)
+  {
+    const double most = options.MaximumNumberOfVoxels;
+    const double voxels = most > 0. ? std::min(most, counts[5]) : counts[5];
+    return { 0., 0., 0., voxels * (keepsTypes ? 1. : 6.) * std::pow(8., levels) };
+  }
   const double faces = keepsTypes ? counts[6] : counts[2];
   const double solids = keepsTypes ? 2. * counts[7] + counts[8] : counts[3];
   const double pyramids = keepsTypes ? counts[7] * std::pow(4., levels) : 0.;
@@ -123,26 +129,28 @@ Forecast Foretell(const ControlCounts& counts, const ForecastOptions& options)
     Bezier,
     Quadratic
   };
-  const bool isLocal = options.Kind >= ForecastOptions::RedGreen;
-  const bool keepsTypes =
-    options.Kind == ForecastOptions::OfAllDimensions && KeepsTypes(options, counts);
+  const bool isLocal =
+    options.Kind == ForecastOptions::RedGreen || options.Kind == ForecastOptions::Adaptive;
+  const bool isOfLabels = options.Kind == ForecastOptions::OfLabels;
+  const bool isSolid = isOfLabels || options.Kind == ForecastOptions::OfAllDimensions;
+  const bool keepsTypes = isSolid && KeepsTypes(options, counts);
   const Numbers made = CountCells(options, counts, keepsTypes);
   const bool isCurved = options.OutputCells != Linear && !isLocal;
   const int asked = options.OutputCells == Quadratic ? 2 : options.CellOrder;
   const int order = isCurved ? asked : 1;
-  Shapes shapes = GetShapes(
-    HasQuads(options, counts, keepsTypes), keepsTypes && counts[3] > 2. * counts[8], order);
+  Shapes shapes = GetShapes(HasQuads(options, counts, keepsTypes),
+    keepsTypes && (isOfLabels || counts[3] > 2. * counts[8]), order);
   constexpr int Even = 1;
   constexpr int LinearSolids = 2;
-  const bool hasOctahedra = options.Kind == ForecastOptions::OfAllDimensions && !isCurved &&
+  const bool hasOctahedra = isSolid && !isCurved &&
     (options.VolumeScheme == Even || (keepsTypes && options.VolumeScheme != LinearSolids));
   double bytesPerCell = options.BytesPerCell + (isCurved ? 9. : 0.) +
     (options.AddsBounds ? 8. : 0.) + (hasOctahedra ? 8. : 0.);
-  if (isLocal) // ids, levels and kinds; there is more border where cells are not all split
+  if (isLocal) // ids, levels and kinds
   {
     bytesPerCell += options.Kind == ForecastOptions::RedGreen ? 18. : 9.;
-    shapes.Points[3] *= 1.6;
   }
+  shapes.Points[3] *= isLocal || isOfLabels ? 1.6 : 1.; // there may be more border
   if (options.OutputCells == Bezier && !isLocal)
   {
     const bool areQuads = shapes.Corners[2] == (order + 1.) * (order + 1.);
@@ -154,7 +162,7 @@ Forecast Foretell(const ControlCounts& counts, const ForecastOptions& options)
     (options.AddsTangents ? 24. : 0.) + (options.AddsBounds ? 8. : 0.) +
     (options.AddsClasses ? 6. : 0.);
   Forecast forecast;
-  forecast.IsAtMost = isLocal || options.OutputCells == Bezier;
+  forecast.IsAtMost = isLocal || isOfLabels || options.OutputCells == Bezier;
   for (std::size_t d = 0; d < made.size(); ++d)
   {
     forecast.Work += made[d];
@@ -171,6 +179,9 @@ Forecast Foretell(const ControlCounts& counts, const ForecastOptions& options)
     forecast.Cells *= share;
     forecast.Bytes *= share;
     forecast.Work = forecast.Cells;
+  }
+  if (isLocal || isOfLabels) // how many rounds there will be, nobody knows
+  {
     return forecast;
   }
   // Nodes are points of further levels, bounds need three, and Bezier cells two.

@@ -30,7 +30,8 @@ struct ForecastOptions
     OfAllDimensions,
     OfSurfaces,
     RedGreen,
-    Adaptive
+    Adaptive,
+    OfLabels ///< vtkSubdivisionLabelSolid, where GetControlCounts would have voxels
   };
   int Kind = OfAllDimensions;
   int Levels = 0; ///< of local refinement: at most
@@ -48,6 +49,7 @@ struct ForecastOptions
   double BytesPerPoint = 12.; ///< of coordinates and arrays of the input
   double BytesPerCell = 0.;   ///< of arrays of the input
   double MaximumNumberOfCells = 1e300;
+  double MaximumNumberOfVoxels = 0.; ///< that labels keep; 0: all
 };
 
 /// About what comes out; of local refinement, and of Bezier cells, what comes out at most.

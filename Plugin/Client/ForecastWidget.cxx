@@ -59,8 +59,9 @@ ForecastWidget::ForecastWidget(vtkSMProxy* proxy, vtkSMProperty*, QWidget* paren
 void ForecastWidget::tell()
 {
   const Forecast forecast = Foretell(this->proxy());
-  const double most =
-    vtkSMUncheckedPropertyHelper(this->proxy(), "MaximumNumberOfCells").GetAsDouble(0);
+  const double most = this->proxy()->GetProperty("MaximumNumberOfCells")
+    ? vtkSMUncheckedPropertyHelper(this->proxy(), "MaximumNumberOfCells").GetAsDouble(0)
+    : forecast.Work;
   QString text = "after Apply of the input";
   if (forecast.Work > most)
   {

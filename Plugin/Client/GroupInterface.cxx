@@ -78,9 +78,10 @@ void AddClient()
       [](pqPipelineSource* filter)
       {
         auto* proxy = filter->getProxy();
-        // Levels of the output, not of a mesh around it, and no limit of levels.
+        // Levels of the output, not of a mesh around it, and no limit of levels. Solids from labels
+        // take long, and have no limit of cells.
         if (proxy->GetProperty("NextApply") && proxy->GetProperty("OutputCells") &&
-          proxy->GetProperty("NumberOfLevels"))
+          proxy->GetProperty("NumberOfLevels") && proxy->GetProperty("MaximumNumberOfCells"))
         {
           SetFirstLevels(proxy);
         }

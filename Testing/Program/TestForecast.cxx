@@ -7,11 +7,13 @@
 #include "vtkAdaptiveSurfaceSubdivision.h"
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkRedGreenRefinement.h"
+#include "vtkSubdivisionLabelSolid.h"
 #include "vtkSubdivisionModelSource.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include "vtkDataObjectTypes.h"
 #include "vtkImageData.h"
+#include "vtkIntArray.h"
 #include "vtkSphereSource.h"
 
 namespace
@@ -228,4 +230,43 @@ TEST(ProgramForecast, LocalRefinementAtMost)
   const Forecast few = Foretell(ControlCounts{ 0., 0., 9., 0., 27., 9., 9. }, options);
   EXPECT_EQ(few.Cells, 5.);
   EXPECT_LE(few.Work, 5.);
+}
+
+TEST(ProgramForecast, LabelsAtMost)
+{
+  const auto image = MakeImage();
+  vtkNew<vtkIntArray> labels;
+  labels->SetName("Label");
+  labels->SetNumberOfValues(image->GetNumberOfPoints());
+  labels->FillValue(1);
+  image->GetPointData()->SetScalars(labels);
+  const auto voxels = static_cast<double>(image->GetNumberOfPoints());
+  for (const bool areHexahedra : { false, true })
+  {
+    for (const vtkIdType most : { 0, 60 })
+    {
+      SCOPED_TRACE(most);
+      vtkNew<vtkSubdivisionLabelSolid> filter;
+      filter->SetInputData(image);
+      filter->SetNumberOfControlCells(most);
+      filter->SetCellType(areHexahedra);
+      filter->Update();
+      Options options;
+      options.Kind = Options::OfLabels;
+      options.Levels = 1;
+      options.VolumeScheme = areHexahedra ? Main::HYBRID : Main::BOX_SPLINE;
+      options.BytesPerPoint = 24.;
+      options.BytesPerCell = 4.;
+      options.MaximumNumberOfVoxels = static_cast<double>(most);
+      const Forecast forecast = Foretell(ControlCounts{ 0., 0., 0., 0., 0., voxels }, options);
+      const auto cells = static_cast<double>(filter->GetOutput()->GetNumberOfCells());
+      const auto bytes = 1024. * static_cast<double>(filter->GetOutput()->GetActualMemorySize());
+      EXPECT_TRUE(forecast.IsAtMost);
+      EXPECT_GE(forecast.Cells, cells);
+      EXPECT_LT(forecast.Cells, 9. * cells); // blocks of 2^3 voxels are far fewer than 60
+      EXPECT_GE(forecast.Bytes, bytes);
+      EXPECT_LT(forecast.Bytes, 12. * bytes);
+      EXPECT_EQ(forecast.Cells, (most > 0 ? 60. : voxels) * (areHexahedra ? 8. : 48.));
+    }
+  }
 }

@@ -143,6 +143,9 @@ class Client(unittest.TestCase):
         simple.SetActiveSource(labels)
         settle()
         solid = choose("menuFilters", "Smooth Solid from Labels")
+        text = shown().findChild(QtWidgets.QWidget, "NextApply").findChild(QtWidgets.QLabel).text()
+        self.assertTrue(text.startswith("at most 48,000 cells, "), text)  # how many are background, nobody knows
+        self.assertEqual(solid.NumberOfLevels, 1)
         picture("Smooth Solid from Labels")
         push("Accept")
         self.assertGreater(cells(solid), 0)
