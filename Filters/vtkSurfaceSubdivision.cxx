@@ -85,6 +85,7 @@ int vtkSurfaceSubdivision::RequestData(
     options.ProjectToLimit = this->ProjectToLimit;
   }
   options.JoinSeams = this->JoinSeams;
+  options.SplitSharpEdges = this->SplitSharpEdges;
   options.KeepsMerged = this->MergePoints && this->MergedValues == KEEP_VALUES;
   // Without rules for boundaries that angles decide, a level reads points of cells around only.
   const bool isLocal = !this->ModifiedBoundary &&
@@ -123,4 +124,5 @@ void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Scheme: " << this->Scheme << "\n";
   os << indent << "SchemeInUse: " << this->GetSchemeInUse() << "\n";
   os << indent << "JoinSeams: " << this->JoinSeams << "\n";
+  os << indent << "SplitSharpEdges: " << this->SplitSharpEdges << "\n";
 }

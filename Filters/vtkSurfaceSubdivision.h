@@ -205,6 +205,21 @@ public:
   vtkBooleanMacro(JoinSeams, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether points on creases, joints and corners are doubled in an output with LimitNormals: a
+   * point, with the normal there, for each side. So a picture is smooth up to sharp edges and sharp
+   * at them, as with the Splitting of vtkPolyDataNormals, and SmoothShading adds normals where
+   * something is sharp, too. Such an output is for pictures: its cells come apart at sharp edges,
+   * it has no global ids, and further filters take it as any other mesh. Off by default. It has no
+   * effect for DOO_SABIN and MIDEDGE, which have nothing sharp, and where several partitions share
+   * the surface.
+   */
+  vtkSetMacro(SplitSharpEdges, bool);
+  vtkGetMacro(SplitSharpEdges, bool);
+  vtkBooleanMacro(SplitSharpEdges, bool);
+  ///@}
+
   /**
    * Evaluates the limit at places of cells of the present input, a vtkPolyData, which is updated,
    * by the present rules of Scheme = LOOP, CATMULL_CLARK or AUTOMATIC; NumberOfLevels does not
@@ -272,6 +287,7 @@ protected:
 
   int Scheme = AUTOMATIC;
   bool JoinSeams = true;
+  bool SplitSharpEdges = false;
 
 private:
   std::array<double, 4> FacesOfRank = {}; ///< FaceCounts

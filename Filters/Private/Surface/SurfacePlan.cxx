@@ -185,8 +185,15 @@ template <typename Id>
 bool SurfaceRun<Id>::LooksSmooth(
   const PolygonMesh<Id>& mesh, const SurfaceTags<Id>& tags, const EdgeSharpness& sharpness) const
 {
-  return this->Cells.SegmentCells.empty() && this->Cells.VertexCells.empty() &&
-    !IsSharpAfter(sharpness, this->MadeLevels) &&
+  if (!this->Cells.SegmentCells.empty() || !this->Cells.VertexCells.empty())
+  {
+    return false;
+  }
+  if (this->Options.SplitSharpEdges) // each side has normals of its own then
+  {
+    return IsOrientable(mesh);
+  }
+  return !IsSharpAfter(sharpness, this->MadeLevels) &&
     std::none_of(tags.Edges.begin(), tags.Edges.end(),
       [](EdgeTag tag) { return tag == EdgeTag::Joint || tag == EdgeTag::Crease; }) &&
     std::none_of(tags.Vertices.begin(), tags.Vertices.end(),
@@ -200,7 +207,8 @@ template <typename Id>
 LastLevel SurfaceRun<Id>::GetLastLevel() const
 {
   // Who asks for no output, or for places, reads the level itself; sides of a part, too.
-  const bool isWhole = !this->Output || this->Options.Places || this->Options.Others;
+  const bool isWhole =
+    !this->Output || this->Options.Places || this->Options.Others || this->SplitsSides();
   return !this->MakesFrames() && !this->Options.ProjectToLimit ? LastLevel::ForCells
     : isWhole                                                  ? LastLevel::Whole
     : this->MakesFrames()                                      ? LastLevel::ForTangents

@@ -16,6 +16,7 @@
 #include "Private/Places/NearestPlaces.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Surface/PartsOfCells.h"
+#include "Private/Surface/SharpSides.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
 #include "Private/Surface/SurfaceNumbers.h"
@@ -216,9 +217,24 @@ private:
   // Parts (SurfaceParts.cxx).
   Buffer<unsigned char> FindTurnedOfPart(
     const PolygonMesh<Id>& mesh, OtherPartitions& others) const;
-  LimitFrames FindFrames(
-    const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points) const
+  /// Whether the output has a point and a normal for each side of sharp edges.
+  bool SplitsSides() const
   {
+    return this->Options.SplitSharpEdges && this->MakesNormals && !this->Options.Others &&
+      !this->Options.Factors && !this->Scheme->IsDual();
+  }
+  LimitFrames FindFrames(
+    const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points)
+  {
+    if (this->SplitsSides())
+    {
+      const SurfaceLevel<Id>& last = GetLast(steps);
+      LimitFinder<Id> finder(last, last.Tags, *this->Scheme,
+        this->Options.Features.ModifiedBoundary, this->Options.Features.Weights);
+      const bool isKnown = this->Options.Scheme == SurfaceSchemeKind::Loop ||
+        this->Options.Scheme == SurfaceSchemeKind::CatmullClark;
+      this->Sides = FindSharpSides(last, isKnown ? &finder : nullptr, turned, points);
+    }
     return FindLimitFrames(
       steps, turned, points, this->MakesNormals, this->Options.GenerateTangents);
   }
@@ -256,6 +272,7 @@ private:
   std::unique_ptr<PointArrays> Points;
   bool Solves = false;                                ///< all partitions interpolate
   bool MakesNormals = false;                          ///< the output has normals
+  SharpSides Sides;                                   ///< none unless SplitsSides()
   SharpPairs Marked;                                  ///< FindMarkedEdges
   SharpPairs Creases;                                 ///< SubdivisionSurfaceCreases of the stamp
   std::vector<std::unique_ptr<SurfaceSteps<Id>>> Own; ///< steps that are not kept

@@ -131,6 +131,10 @@ void SurfaceRun<Id>::Write()
     TellOvershoot(*this->Points, this->Options, this->Output, this->Options.ProjectToLimit);
   }
   this->WriteStamp();
+  if (!this->Sides.Normals.empty())
+  {
+    SplitSides(this->Sides, GetLast(*this->Steps).Mesh, this->Output);
+  }
 }
 
 template <typename Id>
@@ -170,7 +174,7 @@ void SurfaceRun<Id>::WriteStamp()
     this->WriteStampOfPart(*others, !isLimit && this->GetAllLevels() > 0);
     return;
   }
-  if (isLimit || this->GetAllLevels() == 0 || this->Joined)
+  if (isLimit || this->GetAllLevels() == 0 || this->Joined || !this->Sides.Normals.empty())
   {
     return;
   }

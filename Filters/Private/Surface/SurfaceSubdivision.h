@@ -21,6 +21,7 @@ struct SurfaceOptions : LevelOptions
   SurfaceSchemeKind Scheme = SurfaceSchemeKind::Loop;
   bool JoinSeams = true;
   bool KeepsMerged = false; ///< seams of any values are joined, too
+  bool SplitSharpEdges = false;
   /// A point array of the input, null where there is none: flatness s.
   vtkSmartPointer<vtkDataArray> Flatness;
 };

@@ -13,18 +13,18 @@
 namespace subdivision
 {
 
-/// Appends a tangent of a vertex on a curve or of a corner, in the sector of FindTangentCorner:
-/// along the curve and across it; at a corner along the first sharp edge of the sector, and
-/// perpendicular to it in the plane of both. There is none across a sector that ends at a Blend
-/// edge. `ring` gets the other ends of the sector's edges. `across(ends, turn)` appends the tangent
-/// across a curve, times `turn`.
+/// Appends a tangent of a vertex on a curve or of a corner, in the sector of `given`, or, if that
+/// is -1, of FindTangentCorner: along the curve and across it; at a corner along the first sharp
+/// edge of the sector, and perpendicular to it in the plane of both. There is none across a sector
+/// that ends at a Blend edge. `ring` gets the other ends of the sector's edges. `across(ends,
+/// turn)` appends the tangent across a curve, times `turn`.
 template <typename Id, typename Across>
 void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& tags, Id vertex,
-  LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows, const Across& across)
+  LimitKind kind, std::vector<Id>& ring, RowBlock<Id>& rows, const Across& across, Id given = -1)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
   const bool isCurve = IsOnCurve(mesh, tags, vertex);
-  const Id corner = FindTangentCorner(mesh, tags, vertex);
+  const Id corner = given < 0 ? FindTangentCorner(mesh, tags, vertex) : given;
   const SectorEnds<Id> ends = corner < 0 ? SectorEnds<Id>() : FindSectorEnds(mesh, tags, corner);
   const auto isSharp = [&](Id halfEdge) { return IsSharp(tags.Edges[mesh.Edges[halfEdge]]); };
   if (ends.Size == 0 || !isSharp(ends.First.GetHalfEdgeIn(mesh)) ||
@@ -58,7 +58,8 @@ void AppendSectorTangent(const SurfaceLevel<Id>& level, const SurfaceTags<Id>& t
     across(ends, turn);
     return;
   }
-  const Sector<Id>* sector = FindFirstSector(tags, vertex);
+  const Sector<Id>* sector =
+    given < 0 ? FindFirstSector(tags, vertex) : FindSector(tags, vertex, ends);
   const double angle = sector ? sector->Angle : Pi / 2.;
   const double first = -turn * std::cos(angle) / std::sin(angle);
   const double last = turn / std::sin(angle);

@@ -12,6 +12,7 @@
 #define SubdivisionObjects_SurfaceLimits_h
 
 #include "Core/Rules/LoopWeights.h"
+#include "Core/Surfaces/Scheme/CurveTangents.h"
 #include "Core/Surfaces/Scheme/SurfaceRings.h"
 
 #include <array>
@@ -35,6 +36,17 @@ public:
       this->Append(static_cast<Id>(v), kind, rows);
       rows.EndRow();
     }
+  }
+
+  /// Appends a tangent of the vertex of a corner, on a curve or a corner, in the sector there.
+  void AppendOfSector(Id corner, LimitKind kind, RowBlock<Id>& rows)
+  {
+    const Id vertex = this->Mesh.Vertices[corner];
+    AppendSectorTangent(
+      this->Level, this->Tags, vertex, kind, this->Scratch, rows,
+      [&](const SectorEnds<Id>& ends, double turn)
+      { this->AppendAcross(vertex, ends, turn, rows); }, corner);
+    rows.EndRow();
   }
 
   /// SurfaceScheme::AppendLimitRowsOfNext, where the scheme is one for faces of Arity corners.
