@@ -145,16 +145,9 @@ bool vtkSubdivisionSampler::FindArrays()
     if (!subdivision::FindInputArray(this, mesh.Mesh->GetCellData(), mesh.Mesh->GetNumberOfCells(),
           { MATERIAL_ARRAY, "MaterialId", false }, warn, fail, mesh.Material) ||
       !subdivision::FindInputArray(this, mesh.Mesh->GetPointData(), mesh.Mesh->GetNumberOfPoints(),
-        { THICKNESS_ARRAY, nullptr, false, true }, warn, fail, mesh.Thickness))
+        { THICKNESS_ARRAY, nullptr, false, true, false, "thicknesses" }, warn, fail,
+        mesh.Thickness))
     {
-      return false;
-    }
-    const int type = mesh.Thickness ? mesh.Thickness->GetDataType() : VTK_DOUBLE;
-    if (type != VTK_FLOAT && type != VTK_DOUBLE)
-    {
-      fail(std::string("Point array \"") + mesh.Thickness->GetName() +
-        "\" (array index 12) is not usable: thicknesses must be floating point numbers, as others "
-        "are not smoothed. Convert it first.");
       return false;
     }
     if (mesh.Thickness && mesh.Thickness->GetNumberOfTuples() > 0 &&
@@ -237,22 +230,29 @@ bool vtkSubdivisionSampler::CheckSize(
   const bool isTooLong = subdivision::HasMostSteps(grid);
   if (samples > most || isTooLong)
   {
-    if (this->UseSamplingBounds)
-    {
-      box.SetBounds(this->SamplingBounds);
-    }
-    const int margin = this->UseSamplingBounds ? 0 : this->Margin;
     this->FailSampling((samples <= most ? "The image would have more than " +
                              std::to_string(subdivision::MostSteps) +
                              " samples along an axis, more than an image may have. "
                                         : "The image would have " + ToText(samples) +
                              " samples, more than MaximumNumberOfSamples, " +
                              std::to_string(this->MaximumNumberOfSamples) + ". ") +
-      (inputVector[3]->GetNumberOfInformationObjects() > 0
-          ? "Give a coarser image."
-          : AdviseSpacing(box, most, grid.Spacing[0], margin)));
+      this->Advise(inputVector, box, most, grid));
   }
   return samples <= most && !isTooLong;
+}
+
+std::string vtkSubdivisionSampler::Advise(vtkInformationVector** inputVector, vtkBoundingBox box,
+  double most, const subdivision::SampleGrid& grid)
+{
+  if (inputVector[3]->GetNumberOfInformationObjects() > 0)
+  {
+    return "Give a coarser image.";
+  }
+  if (this->UseSamplingBounds)
+  {
+    box.SetBounds(this->SamplingBounds);
+  }
+  return AdviseSpacing(box, most, grid.Spacing[0], this->UseSamplingBounds ? 0 : this->Margin);
 }
 
 bool vtkSubdivisionSampler::MakeLevels(vtkInformationVector** inputVector)
@@ -293,6 +293,11 @@ bool vtkSubdivisionSampler::MakeLevels(vtkInformationVector** inputVector)
       const bool areFound = this->FindArrays();
       this->WarnOfNames();
       object.FindMaterials(controller);
+      if (this->GenerateDistance)
+      {
+        object.Outside = subdivision::ListFaces(object.Meshes, false);
+        subdivision::DropCommonFaces(object.Meshes, controller, object.Outside);
+      }
       return fits && areFound;
     }
   }
@@ -306,7 +311,8 @@ void vtkSubdivisionSampler::WarnOfNames()
     for (int a = 0; a < data->GetNumberOfArrays(); ++a)
     {
       const char* const name = data->GetArrayName(a);
-      if (subdivision::IsOwnName(this->Object->Meshes, this->GenerateCoverage, name) &&
+      if (subdivision::IsOwnName(
+            this->Object->Meshes, this->GenerateCoverage, this->GenerateDistance, name) &&
         subdivision::IsSampled(data->GetArray(a)))
       {
         subdivision::Warn(this,
@@ -462,22 +468,29 @@ int vtkSubdivisionSampler::RequestData(
   options.Tolerance = std::max(this->Tolerance, 1e-6) * spacing;
   options.HasCoverage = this->GenerateCoverage;
   options.MaterialOutside = object.MaterialOutside;
+  options.Band = this->DistanceBand > 0. ? std::min(this->DistanceBand, 1e30) : 3. * spacing;
+  options.Outside = this->GenerateDistance ? &object.Outside : nullptr;
   std::vector<double> order;
+  std::vector<float> others;
   options.Order = this->SharesRanks() ? &order : nullptr;
+  options.Others = this->SharesRanks() && this->GenerateDistance ? &others : nullptr;
   subdivision::FilterTraits traits;
-  traits.Memory = this->GenerateCoverage
-    ? "the image, whose samples each have the coverage of all materials. Make Spacing larger, ask "
-      "for parts of the image, or switch GenerateCoverage off."
-    : "the image. Make Spacing larger, or ask for parts of the image.";
+  const auto bytesOfSample = static_cast<double>(
+    subdivision::CountBytesOfSample(object.Meshes, object.Materials.size(), options));
+  traits.Memory = "the image" +
+    std::string(this->GenerateCoverage
+        ? ", whose samples each have the coverage of all materials. Switch GenerateCoverage off. "
+        : ". ") +
+    "Ask for parts of the image. " +
+    this->Advise(
+      inputVector, object.Bounds, subdivision::GetAvailableMemory() / bytesOfSample, options.Grid);
   subdivision::RunOptions messages;
   subdivision::ConnectToFilter(this, messages, this->HasFailed);
   options.Tell = [&messages](double done) { messages.Progress(done); };
   const bool isDone = subdivision::DoWork(traits, messages,
     [&]
     {
-      const double bytes = subdivision::CountSamples(options.Grid) *
-        static_cast<double>(
-          subdivision::CountBytesOfSample(object.Meshes, object.Materials.size(), options));
+      const double bytes = subdivision::CountSamples(options.Grid) * bytesOfSample;
       subdivision::KeepEstimate(bytes);
       if (bytes > subdivision::GetAvailableMemory()) // systems may promise more than they have
       {
@@ -521,5 +534,7 @@ void vtkSubdivisionSampler::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumCellsOfLevel: " << this->MaximumCellsOfLevel << "\n";
   os << indent << "Thickness: " << this->Thickness << "\n";
   os << indent << "GenerateCoverage: " << this->GenerateCoverage << "\n";
+  os << indent << "GenerateDistance: " << this->GenerateDistance << "\n";
+  os << indent << "DistanceBand: " << this->DistanceBand << "\n";
   os << indent << "MaximumNumberOfSamples: " << this->MaximumNumberOfSamples << "\n";
 }

@@ -13,6 +13,8 @@
 #include "vtkImageData.h"
 #include "vtkPlaneSource.h"
 #include "vtkSphereSource.h"
+#include "vtkSubdivisionModelSource.h"
+#include "vtkSubdivisionSampler.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include <sstream>
@@ -200,5 +202,46 @@ TEST(EstimatesOfSolids, CellsThatKeepTheirTypes)
     Set(filter.Get(), options);
     filter->SetNumberOfLevels(isSurface ? 5 : 3);
     ExpectEstimate(filter.Get(), "types stay: " + options);
+  }
+}
+
+/// Of an image with two arrays of numbers in double, materials and distances: what a larger one
+/// takes more, so that the levels do not count.
+TEST(Estimates, SamplesTakeThirtyBytes)
+{
+  vtkNew<vtkSubdivisionModelSource> source;
+  source->SetModelToMechanicalPart();
+  source->Update();
+  vtkNew<vtkUnstructuredGrid> mesh;
+  mesh->DeepCopy(source->GetOutput());
+  mesh->GetPointData()->Initialize();
+  for (const char* const name : { "A", "B" })
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(name);
+    values->SetNumberOfTuples(mesh->GetNumberOfPoints());
+    values->Fill(1.);
+    mesh->GetPointData()->AddArray(values);
+  }
+  double bytes[2];
+  double samples[2];
+  for (const int i : { 0, 1 })
+  {
+    vtkNew<vtkSubdivisionSampler> filter;
+    filter->SetInputData(mesh);
+    filter->SetMaximumLevel(1);
+    filter->SetTolerance(1.);
+    filter->SetNumberOfSamples(i == 0 ? 60 : 240);
+    failing_memory::StartPeak();
+    filter->Update();
+    bytes[i] = static_cast<double>(failing_memory::GetPeak());
+    samples[i] = static_cast<double>(filter->GetOutput()->GetNumberOfPoints());
+    EXPECT_EQ(filter->GetOutput()->GetPointData()->GetNumberOfArrays(), 4);
+  }
+  if (bytes[1] > 0.) // counted
+  {
+    const double ofSample = (bytes[1] - bytes[0]) / (samples[1] - samples[0]);
+    EXPECT_LE(ofSample, 30.);
+    EXPECT_GE(ofSample, 21.); // 2 * 8, 4 and 1
   }
 }

@@ -3,6 +3,7 @@
 
 import numpy as np
 import rank_tools as ranks
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -15,6 +16,7 @@ def sampled(mesh, controller, extent=None):
         made.SetController(None)
     made.SetNumberOfSamples(40)
     made.SetGenerateCoverage(True)
+    made.SetGenerateDistance(True)
     made.SetInputDataObject(mesh)
     made.UpdateInformation()
     whole = made.GetOutputInformation(0).Get(vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
@@ -24,11 +26,29 @@ def sampled(mesh, controller, extent=None):
     return image, {points.GetArrayName(i): vtk_to_numpy(points.GetArray(i)) for i in range(points.GetNumberOfArrays())}
 
 
-def run():
+def models():
+    """One of tetrahedra, surfaces and curves, and one of hexahedra, whose quads all ranks have to cut alike."""
     source = subdivisionobjects.vtkSubdivisionModelSource()
     source.SetModelToMechanicalPart()
     source.Update()
-    mesh = ranks.numbered(source.GetOutput())
+    yield source.GetOutput()
+    image = vtkImageData()
+    image.SetDimensions(5, 4, 4)
+    hexahedra = subdivisionobjects.vtkMultiDimensionalSubdivision()
+    hexahedra.SetController(None)
+    hexahedra.SetInputData(image)
+    hexahedra.SetNumberOfLevels(0)
+    hexahedra.SetVolumeSchemeToHybrid()
+    hexahedra.Update()
+    hexahedra.GetOutput().GetFieldData().Initialize()
+    yield hexahedra.GetOutput()
+
+
+def run():
+    return [failure for model in models() for failure in failures_of(ranks.numbered(model))]
+
+
+def failures_of(mesh):
     image, _ = sampled(mesh, False)
     extent = list(image.GetExtent())
     size = extent[5] + 1

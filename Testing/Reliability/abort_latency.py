@@ -23,8 +23,8 @@ from vtkmodules.vtkCommonCore import VTK_INT
 
 from subdivisionobjects import (
     vtkAdaptiveSurfaceSubdivision, vtkMultiDimensionalSubdivision, vtkRedGreenRefinement, vtkSimplicialComplexTopology,
-    vtkSubdivisionDeformation, vtkSubdivisionLabelSolid, vtkSubdivisionLimitProbe, vtkSubdivisionModelSource,
-    vtkSubdivisionSmoothness, vtkSurfaceSubdivision)
+    vtkSubdivisionDeformation, vtkSubdivisionLabelSolid, vtkSubdivisionLimitProbe, vtkSubdivisionMeasures,
+    vtkSubdivisionModelSource, vtkSubdivisionSampler, vtkSubdivisionSmoothness, vtkSurfaceSubdivision)
 
 
 def subdivided(levels, surface=False):
@@ -95,7 +95,16 @@ def list_cases():
         made.SetInputDataObject(3, surface)
         return made, [surface]
 
+    def sampler():
+        made = vtkSubdivisionSampler()
+        made.SetNumberOfSamples(300)
+        made.GenerateCoverageOn()
+        made.GenerateDistanceOn()
+        return made, [subdivided(0)]
+
     return {
+        "Sample Smooth Object": sampler,
+        "Measure Smooth Object": lambda: (vtkSubdivisionMeasures(), [solids]),
         "Multi-dimensional Subdivision": lambda: (uniform(3), [fine]),
         "the same with limits and normals": lambda: (uniform(2, limits), [fine]),
         "the same with Bezier cells": lambda: (uniform(1, lambda made: made.SetOutputCellsToBezier()), [solids]),

@@ -94,6 +94,12 @@ bool FindInputArray(vtkAlgorithm* algorithm, vtkDataSetAttributes* data, vtkIdTy
     fault = " has " + std::to_string(found->GetNumberOfTuples()) + " values for " +
       std::to_string(size) + " " + kind + "s.";
   }
+  else if (request.Smoothed && numbers->GetDataType() != VTK_FLOAT &&
+    numbers->GetDataType() != VTK_DOUBLE)
+  {
+    fault = std::string(" is not usable: ") + request.Smoothed +
+      " must be floating point numbers, as others are not smoothed. Convert it first.";
+  }
   else if (request.Integral)
   {
     const vtkIdType broken = FindBroken(numbers);

@@ -27,6 +27,8 @@ struct ArrayRequest
   bool Integral;
   bool OfPoints = false;
   bool AnyComponents = false; ///< if false, the array must have one component
+  /// What its numbers are, if they have to be smoothed; null: they need not.
+  const char* Smoothed = nullptr;
 };
 
 /// The name that SetInputArrayToProcess gave to `index`; empty if it gave none, or None. If an

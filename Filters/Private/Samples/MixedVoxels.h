@@ -7,6 +7,7 @@
 #define SubdivisionObjects_MixedVoxels_h
 
 #include "Private/Samples/PieceLists.h"
+#include "Private/Samples/SolidFaces.h"
 
 #include <cstdint>
 #include <functional>
@@ -34,15 +35,9 @@ public:
     const char* mask, const std::function<double(vtkIdType)>& materialOf, float* coverage) const;
 
 private:
-  /// A triangle of a tetrahedron which has nothing behind it, or another material.
-  struct Face
-  {
-    std::size_t Mesh;
-    QuadraticPiece Triangle;
-  };
-  void AddFaces(std::size_t mesh);
   /// Marks the voxels of the slab through which faces may pass; `flags` begin at its first slice.
-  void Mark(const Face& face, const std::pair<int, int>& slices, std::vector<char>& flags) const;
+  void Mark(
+    const SolidFace& face, const std::pair<int, int>& slices, std::vector<char>& flags) const;
   /// How many places of a voxel are in a piece and in none before; `taken` has a bit for each.
   int CountPlaces(
     const TetrahedronSamples& samples, const std::array<int, 3>& voxel, std::uint64_t& taken) const;
@@ -52,7 +47,7 @@ private:
   const std::vector<SampledMesh>& Meshes;
   const std::vector<double>& Materials;
   const SampleOptions& Options;
-  std::vector<Face> Faces;
+  const std::vector<SolidFace> Faces;
   std::unique_ptr<SlabLists> Lists;
 };
 

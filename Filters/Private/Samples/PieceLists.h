@@ -118,6 +118,14 @@ struct ListedPiece
   const QuadraticPiece* Piece;
 };
 
+/// Samples of some slices.
+inline vtkIdType CountSamplesOf(const SampleGrid& grid, const std::pair<int, int>& slices)
+{
+  const auto& extent = grid.Extent;
+  return vtkIdType(slices.second - slices.first) * (extent[1] - extent[0] + 1) *
+    (extent[3] - extent[2] + 1);
+}
+
 /// All pieces of a dimension.
 inline std::vector<ListedPiece> ListPieces(const std::vector<SampledMesh>& meshes, int dimension)
 {
@@ -159,6 +167,46 @@ inline Place Blend(
     }
   }
   return sum;
+}
+
+/// From where to where a piece reaches along the third axis, and `more` on both sides.
+inline std::pair<double, double> FindReach(
+  const std::array<Place, 10>& nodes, int dimension, double more)
+{
+  std::pair<double, double> reach(nodes[0][2], nodes[0][2]);
+  for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
+  {
+    reach.first = std::min(reach.first, nodes[n][2]);
+    reach.second = std::max(reach.second, nodes[n][2]);
+  }
+  more += FindBend(nodes, dimension);
+  return { reach.first - more, reach.second + more };
+}
+
+/// How far the nodes of a piece are away from the first one along an axis at most, in units of
+/// these.
+inline double FindSize(const std::array<Place, 10>& nodes, int dimension, const Place& units)
+{
+  double size = 0.;
+  for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
+  {
+    for (int x = 0; x < 3; ++x)
+    {
+      size = std::max(size, std::abs(nodes[n][x] - nodes[0][x]) / units[x]);
+    }
+  }
+  return size;
+}
+
+/// How often a number that each halving of edges divides by `part` is too large, 8 times at most.
+inline int CountHalvings(double number, double most, double part)
+{
+  int halvings = 0;
+  for (; number > most && halvings < 8; number /= part)
+  {
+    ++halvings;
+  }
+  return halvings;
 }
 
 /// A straight part of a triangle or line: its corners, and their weights in the piece.
@@ -207,6 +255,43 @@ void ForStraightParts(
       }
     }
   }
+}
+
+/// The smallest box around a part, with `more` on all sides.
+inline std::pair<Place, Place> FindBox(const StraightPart& part, int dimension, const Place& more)
+{
+  std::pair<Place, Place> box(part.Corners[0], part.Corners[0]);
+  for (int x = 0; x < 3; ++x)
+  {
+    for (int c = 1; c <= dimension; ++c)
+    {
+      box.first[x] = std::min(box.first[x], part.Corners[c][x]);
+      box.second[x] = std::max(box.second[x], part.Corners[c][x]);
+    }
+    box.first[x] -= more[x];
+    box.second[x] += more[x];
+  }
+  return box;
+}
+
+/// Calls visit(i, j, k, number in the slab, part, nearest) for the samples of some slices in boxes
+/// around the straight parts of a piece.
+template <typename Visit>
+void ForSamplesNear(const SampleGrid& grid, const std::pair<int, int>& slices,
+  const std::array<Place, 10>& nodes, int dimension, int halvings, double reach, const Visit& visit)
+{
+  ForStraightParts(nodes, dimension, halvings,
+    [&](const StraightPart& part)
+    {
+      const auto box = FindBox(part, dimension, { reach, reach, reach });
+      ForSamplesIn(grid, slices, box.first, box.second,
+        [&](int i, int j, int k, vtkIdType sample)
+        {
+          visit(i, j, k, sample, part,
+            FindNearest(part.Corners.data(), dimension + 1,
+              { grid.GetPlace(0, i), grid.GetPlace(1, j), grid.GetPlace(2, k) }));
+        });
+    });
 }
 
 }

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Samples/PieceSamples.h"
 
+#include "Core/Memory/Vectors.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace subdivision
 {
+
+using namespace vectors;
+
 namespace
 {
-
-Place Subtract(const Place& a, const Place& b)
-{
-  return { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
-}
-
-double Dot(const Place& a, const Place& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Place Cross(const Place& a, const Place& b)
-{
-  return { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] };
-}
 
 /// The corners at the ends of edges, in the order of the middles.
 constexpr int Ends[6][2] = { { 0, 1 }, { 0, 2 }, { 1, 2 }, { 0, 3 }, { 1, 3 }, { 2, 3 } };

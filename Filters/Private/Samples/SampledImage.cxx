@@ -3,6 +3,7 @@
 
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
+#include "Private/Samples/Distances.h"
 #include "Private/Samples/MixedVoxels.h"
 #include "Private/Samples/ThickPieces.h"
 
@@ -76,6 +77,7 @@ public:
     , Thick(options.HasThickness ? std::make_unique<ThickPieces>(meshes, options) : nullptr)
     , Mixed(
         options.HasCoverage ? std::make_unique<MixedVoxels>(meshes, materials, options) : nullptr)
+    , Near(options.Outside ? std::make_unique<Distances>(meshes, options) : nullptr)
   {
     image->SetExtent(const_cast<int*>(this->Grid.Extent.data()));
     image->SetOrigin(this->Grid.Origin.data());
@@ -84,6 +86,10 @@ public:
     if (options.Order)
     {
       options.Order->assign(image->GetNumberOfPoints(), NothingThere);
+    }
+    if (options.Others)
+    {
+      options.Others->resize(image->GetNumberOfPoints());
     }
   }
 
@@ -138,7 +144,8 @@ private:
     for (int a = 0; first && a < first->GetPointData()->GetNumberOfArrays(); ++a)
     {
       vtkDataArray* const like = first->GetPointData()->GetArray(a);
-      if (IsSampled(like) && !IsOwnName(this->Meshes, this->Options.HasCoverage, like->GetName()))
+      if (IsSampled(like) &&
+        !IsOwnName(this->Meshes, this->Options.HasCoverage, this->Near != nullptr, like->GetName()))
       {
         const auto to = MakeArray(like->GetDataType(), like->GetNumberOfComponents(), 0);
         add(to, like->GetNumberOfComponents(), like->GetName());
@@ -173,6 +180,13 @@ private:
         coverage->SetComponentName(static_cast<vtkIdType>(m), name.str().c_str());
       }
       this->Coverage = coverage->GetPointer(0);
+    }
+    if (this->Near)
+    {
+      vtkNew<vtkFloatArray> distances;
+      add(distances, 1, SampledDistanceName);
+      distances->FillValue(static_cast<float>(this->Options.Band));
+      this->Distance = distances->GetPointer(0);
     }
     add(vtkNew<vtkCharArray>(), 1, SampledMaskName);
     this->Mask = static_cast<char*>(data->GetArray(SampledMaskName)->GetVoidPointer(0));
@@ -248,6 +262,10 @@ private:
         { return this->Material ? this->Material->GetComponent(sample, 0) : 0.; }, this->Coverage);
     }
     std::replace(begin, end, InOther, InSolid);
+    if (this->Near)
+    {
+      this->Near->WriteSlab(slab, this->Distance);
+    }
   }
   void SampleSolid(const ListedPiece& listed, const std::pair<int, int>& slices)
   {
@@ -261,8 +279,19 @@ private:
       {
         const vtkIdType row = this->GetSample(0, j, k);
         samples.ForRow(
-          this->Grid, j, k, [&](int i) { return this->Mask[row + i] == 0; },
-          [&](int i, const Place& weights) { this->Write(listed, 3, weights, row + i); });
+          this->Grid, j, k, [&](int i)
+          { return this->Mask[row + i] == 0 || (this->Distance && this->Distance[row + i] > 0.F); },
+          [&](int i, const Place& weights)
+          {
+            if (this->Mask[row + i] == 0)
+            {
+              this->Write(listed, 3, weights, row + i);
+            }
+            if (this->Distance) // negative in solids, also where a surface has the sample
+            {
+              this->Distance[row + i] = -std::abs(this->Distance[row + i]);
+            }
+          });
       }
     }
   }
@@ -276,9 +305,11 @@ private:
   vtkSmartPointer<vtkDataArray> Material;
   char* Mask = nullptr;
   float* Coverage = nullptr;
+  float* Distance = nullptr;
   const std::vector<ListedPiece> Solids;
   const std::unique_ptr<ThickPieces> Thick;
   const std::unique_ptr<MixedVoxels> Mixed;
+  const std::unique_ptr<Distances> Near;
 };
 
 }
@@ -312,19 +343,21 @@ bool IsSampled(vtkDataArray* values)
     (values->GetDataType() == VTK_FLOAT || values->GetDataType() == VTK_DOUBLE);
 }
 
-bool IsOwnName(const std::vector<SampledMesh>& meshes, bool hasCoverage, const char* name)
+bool IsOwnName(
+  const std::vector<SampledMesh>& meshes, bool hasCoverage, bool hasDistance, const char* name)
 {
   const std::string own = name ? name : "";
   const bool hasMaterial = std::any_of(
     meshes.begin(), meshes.end(), [](const SampledMesh& mesh) { return mesh.Material != nullptr; });
   return own == SampledMaskName || (hasMaterial && own == SampledMaterialName) ||
-    (hasCoverage && own == SampledCoverageName);
+    (hasCoverage && own == SampledCoverageName) || (hasDistance && own == SampledDistanceName);
 }
 
 vtkIdType CountBytesOfSample(
   const std::vector<SampledMesh>& meshes, std::size_t materials, const SampleOptions& options)
 {
   vtkIdType bytes = 1; // the mask
+  bytes += options.Outside ? vtkIdType(sizeof(float)) : 0;
   vtkPointSet* const first = FindFirst(meshes);
   for (int a = 0; first && a < first->GetPointData()->GetNumberOfArrays(); ++a)
   {

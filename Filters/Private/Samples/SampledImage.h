@@ -21,6 +21,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
+struct SolidFace;
+
 /// A mesh on the limit, which becomes samples.
 struct SampledMesh
 {
@@ -37,10 +39,15 @@ struct SampleOptions
   double Thickness = 0.;     ///< theirs, where meshes have no array
   double Tolerance = 0.;     ///< of the flat parts of surfaces and curves, as a length
   bool HasCoverage = false;
+  double Band = 0.; ///< of distances: farther samples have this one
+  /// The outside of solids, if there are distances; else null.
+  const std::vector<SolidFace>* Outside = nullptr;
   double MaterialOutside = 0.;
   /// Where ranks share an object, what is before what at each sample, the least first: less
   /// dimensions, then what is nearer; NothingThere outside. Else null.
   std::vector<double>* Order = nullptr;
+  /// There also: distances from surfaces, curves and points, which are joined later; else null.
+  std::vector<float>* Others = nullptr;
   std::function<void(double)> Tell; ///< how much of the image is done, 0 to 1
 };
 
@@ -49,6 +56,7 @@ constexpr double NothingThere = 4.;
 /// Names of the arrays that samples have besides those of the input.
 constexpr const char* SampledMaterialName = "Material";
 constexpr const char* SampledCoverageName = "Coverage";
+constexpr const char* SampledDistanceName = "Distance";
 constexpr const char* SampledMaskName = "vtkValidPointMask";
 
 /// An order of materials: ascending, then those that are not a number, which are equal.
@@ -72,7 +80,8 @@ void SamplePieces(const std::vector<SampledMesh>& meshes, const std::vector<doub
 /// Whether a point array is smoothed, and so sampled.
 bool IsSampled(vtkDataArray* values);
 /// Whether an array of the output that is none of the input has this name.
-bool IsOwnName(const std::vector<SampledMesh>& meshes, bool hasCoverage, const char* name);
+bool IsOwnName(
+  const std::vector<SampledMesh>& meshes, bool hasCoverage, bool hasDistance, const char* name);
 
 /// How many bytes a sample of the output has.
 vtkIdType CountBytesOfSample(

@@ -4,6 +4,7 @@
 #include "Core/Memory/Loops.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Reading/ReadableMesh.h"
+#include "Private/Samples/Distances.h"
 
 #include "vtkCommunicator.h"
 #include "vtkDataArray.h"
@@ -115,6 +116,7 @@ SampleGrid MakeSampleGrid(const vtkBoundingBox& box, int samples, double spacing
   const double longest = *std::max_element(lengths, lengths + 3);
   if (spacing == 0.)
   {
+    margin = longest > 0. ? std::min(margin, (samples - 2) / 2) : margin;
     spacing = longest / std::max(samples - 1 - 2 * margin, 1);
     spacing = spacing > 0. ? spacing : 1.;
   }
@@ -147,6 +149,29 @@ bool HasMostSteps(const SampleGrid& grid)
            double(extent[5]) - extent[4] }) >= MostSteps;
 }
 
+namespace
+{
+
+/// The nearest of all ranks; a sample is in a solid if it is so on one.
+void JoinDistances(
+  float* distances, const SampleOptions& options, vtkMultiProcessController* controller)
+{
+  const auto& others = *options.Others;
+  const auto size = static_cast<vtkIdType>(others.size());
+  std::vector<std::array<float, 3>> own(size), least(size); // a sign, and two distances
+  ForEach(size, [&](vtkIdType s) { own[s] = { distances[s], std::abs(distances[s]), others[s] }; });
+  controller->AllReduce(
+    own.data()->data(), least.data()->data(), 3 * size, vtkCommunicator::MIN_OP);
+  ForEach(size,
+    [&](vtkIdType s)
+    {
+      const auto& [sign, length, other] = least[s];
+      distances[s] = Distances::Unite(std::copysign(length, sign), other);
+    });
+}
+
+}
+
 void JoinRanks(
   vtkImageData* image, const SampleOptions& options, vtkMultiProcessController* controller)
 {
@@ -156,6 +181,11 @@ void JoinRanks(
   const int own = controller->GetLocalProcessId();
   std::vector<double> least(size);
   controller->AllReduce(order.data(), least.data(), size, vtkCommunicator::MIN_OP);
+  if (options.Outside)
+  {
+    JoinDistances(static_cast<float*>(data->GetArray(SampledDistanceName)->GetVoidPointer(0)),
+      options, controller);
+  }
   std::vector<int> ranks(size);
   std::vector<int> first(size);
   ForEach(size, [&](vtkIdType s) { ranks[s] = order[s] <= least[s] ? own : VTK_INT_MAX; });
@@ -163,6 +193,10 @@ void JoinRanks(
   for (int a = 0; a < data->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* const array = data->GetArray(a);
+    if (options.Outside && std::strcmp(array->GetName(), SampledDistanceName) == 0)
+    {
+      continue;
+    }
     const bool isSum =
       options.HasCoverage && std::strcmp(array->GetName(), SampledCoverageName) == 0;
     ForEach(isSum ? 0 : size,

@@ -6,7 +6,7 @@
 #ifndef SubdivisionObjects_SampledObject_h
 #define SubdivisionObjects_SampledObject_h
 
-#include "Private/Samples/SampledImage.h"
+#include "Private/Samples/SolidFaces.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataObject.h"
@@ -40,7 +40,8 @@ struct SampledObject
   bool IsMade = false; ///< false: there was an error
   vtkSmartPointer<vtkDataObject> Level;
   std::vector<SampledMesh> Meshes;
-  std::vector<double> Materials; ///< of solids
+  std::vector<SolidFace> Outside; ///< of solids, if there are distances
+  std::vector<double> Materials;  ///< of solids
   /// 0, or where that is a material a number that is none.
   double MaterialOutside = 0.;
   vtkBoundingBox Bounds;

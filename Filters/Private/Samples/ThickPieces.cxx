@@ -9,22 +9,6 @@
 
 namespace subdivision
 {
-namespace
-{
-
-/// How often the edges of a piece are halved before its parts are straight, but for a tolerance:
-/// each halving leaves a quarter.
-int CountHalvings(double bend, double tolerance)
-{
-  int halvings = 0;
-  for (; bend > tolerance && halvings < 8; bend /= 4.)
-  {
-    ++halvings;
-  }
-  return halvings;
-}
-
-}
 
 ThickPieces::ThickPieces(const std::vector<SampledMesh>& meshes, const SampleOptions& options)
   : Meshes(meshes)
@@ -38,15 +22,7 @@ ThickPieces::ThickPieces(const std::vector<SampledMesh>& meshes, const SampleOpt
       [&](vtkIdType i)
       {
         const auto nodes = GetNodes(meshes[pieces[i].Mesh].Mesh, *pieces[i].Piece, dimension);
-        const double more =
-          this->GetLargestRadius(pieces[i], dimension) + FindBend(nodes, dimension);
-        std::pair<double, double> reach(nodes[0][2], nodes[0][2]);
-        for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
-        {
-          reach.first = std::min(reach.first, nodes[n][2]);
-          reach.second = std::max(reach.second, nodes[n][2]);
-        }
-        return std::make_pair(reach.first - more, reach.second + more);
+        return FindReach(nodes, dimension, this->GetLargestRadius(pieces[i], dimension));
       });
   }
 }
@@ -80,11 +56,10 @@ void ThickPieces::Sample(const ListedPiece& listed, int dimension,
   const auto nodes = GetNodes(this->Meshes[listed.Mesh].Mesh, *listed.Piece, dimension);
   const auto radii = this->GetRadii(listed, dimension);
   const double largest = this->GetLargestRadius(listed, dimension);
-  const auto tryOne = [&](const StraightPart& part, int i, int j, int k, double& square)
+  const auto visit = [&](int i, int j, int k, vtkIdType sample, const StraightPart& part,
+                       const NearestPoint& nearest)
   {
-    const SampleGrid& grid = this->Options.Grid;
-    const NearestPoint nearest = FindNearest(part.Corners.data(), dimension + 1,
-      { grid.GetPlace(0, i), grid.GetPlace(1, j), grid.GetPlace(2, k) });
+    double& square = squares[sample];
     if (nearest.Square > largest * largest || nearest.Square >= square)
     {
       return;
@@ -104,25 +79,9 @@ void ThickPieces::Sample(const ListedPiece& listed, int dimension,
       act(i, j, k, listed, dimension, weights, square);
     }
   };
-  const int halvings = CountHalvings(FindBend(nodes, dimension), this->Options.Tolerance);
-  ForStraightParts(nodes, dimension, halvings,
-    [&](const StraightPart& part)
-    {
-      Place low = part.Corners[0];
-      Place high = part.Corners[0];
-      for (int x = 0; x < 3; ++x)
-      {
-        for (int c = 1; c <= dimension; ++c)
-        {
-          low[x] = std::min(low[x], part.Corners[c][x]);
-          high[x] = std::max(high[x], part.Corners[c][x]);
-        }
-        low[x] -= largest;
-        high[x] += largest;
-      }
-      ForSamplesIn(this->Options.Grid, slices, low, high,
-        [&](int i, int j, int k, vtkIdType sample) { tryOne(part, i, j, k, squares[sample]); });
-    });
+  // Each halving leaves a quarter of the bend.
+  const int halvings = CountHalvings(FindBend(nodes, dimension), this->Options.Tolerance, 4.);
+  ForSamplesNear(this->Options.Grid, slices, nodes, dimension, halvings, largest, visit);
 }
 
 void ThickPieces::ForSlab(vtkIdType slab, const Act& act) const
@@ -137,9 +96,7 @@ void ThickPieces::ForSlab(vtkIdType slab, const Act& act) const
       {
         if (squares.empty())
         {
-          squares.assign(static_cast<std::size_t>(slices.second - slices.first) *
-              (grid.Extent[1] - grid.Extent[0] + 1) * (grid.Extent[3] - grid.Extent[2] + 1),
-            std::numeric_limits<double>::infinity());
+          squares.assign(CountSamplesOf(grid, slices), std::numeric_limits<double>::infinity());
         }
         this->Sample(this->Pieces[dimension][i], dimension, slices, squares, act);
       });

@@ -26,6 +26,7 @@ TEST(SamplerInputs, PartsAreThoseOfTheWholeBitForBit)
   vtkNew<Filter> filter;
   filter->SetNumberOfSamples(30);
   filter->GenerateCoverageOn();
+  filter->GenerateDistanceOn();
   const Image whole = Sample(filter, mesh);
   ASSERT_GT(CountInside(whole), 0);
   const int* const dimensions = whole->GetDimensions();
@@ -34,6 +35,7 @@ TEST(SamplerInputs, PartsAreThoseOfTheWholeBitForBit)
   vtkNew<Filter> other;
   other->SetNumberOfSamples(30);
   other->GenerateCoverageOn();
+  other->GenerateDistanceOn();
   other->SetInputDataObject(mesh);
   for (int i = 0; i < 2; ++i)
   {
@@ -58,6 +60,7 @@ TEST(SamplerInputs, ThreadsMakeTheSameBits)
     vtkNew<Filter> filter;
     filter->SetNumberOfSamples(40);
     filter->GenerateCoverageOn();
+    filter->GenerateDistanceOn();
     return Sample(filter, mesh);
   };
   const std::string before = vtkSMPTools::GetBackend();
@@ -152,12 +155,13 @@ TEST(SamplerInputs, BlocksAreOneMesh)
   vtkNew<Filter> filter;
   filter->SetNumberOfSamples(20);
   filter->GenerateCoverageOn();
+  filter->GenerateDistanceOn();
   const Image one = Sample(filter, bare);
   const Image other = Sample(filter, MakeBlocks(parts));
   ASSERT_EQ(one->GetNumberOfPoints(), other->GetNumberOfPoints());
   ASSERT_GT(CountInside(one), 0);
   EXPECT_EQ(CountInside(one), CountInside(other));
-  for (const char* name : { "X", "Coverage", "vtkValidPointMask" })
+  for (const char* name : { "X", "Coverage", "Distance", "vtkValidPointMask" })
   {
     vtkDataArray* const a = one->GetPointData()->GetArray(name);
     vtkDataArray* const b = other->GetPointData()->GetArray(name);
@@ -229,7 +233,7 @@ TEST(SamplerInputs, ArraysNamedLikeThoseOfTheOutputAreLeftOut)
 {
   const Grid solid = MakeSolid();
   solid->GetCellData()->AddArray(MakeArray<vtkIntArray>("MaterialId", 1, 1, 3., 3., 1));
-  for (const char* const name : { "Material", "Coverage", "vtkValidPointMask" })
+  for (const char* const name : { "Material", "Coverage", "Distance", "vtkValidPointMask" })
   {
     const Grid mesh = Grid::New();
     mesh->DeepCopy(solid);
@@ -237,13 +241,14 @@ TEST(SamplerInputs, ArraysNamedLikeThoseOfTheOutputAreLeftOut)
     vtkNew<Filter> filter;
     filter->SetNumberOfSamples(12);
     filter->GenerateCoverageOn();
+    filter->GenerateDistanceOn();
     vtkNew<Messages> messages;
     messages->Watch(filter);
     filter->SetInputDataObject(mesh);
     filter->Update();
     EXPECT_EQ(messages->CountWarnings(std::string("\"") + name + "\" is left out"), 1) << name;
     vtkPointData* const data = filter->GetOutput()->GetPointData();
-    EXPECT_EQ(data->GetNumberOfArrays(), 4) << name;
+    EXPECT_EQ(data->GetNumberOfArrays(), 5) << name;
     EXPECT_EQ(data->GetArray(name)->GetNumberOfComponents(), 1) << name;
     EXPECT_EQ(data->GetArray("Coverage")->GetRange()[1], 1.) << name;
   }

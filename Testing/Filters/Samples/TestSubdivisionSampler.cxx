@@ -3,6 +3,7 @@
  * @file TestSubdivisionSampler.cxx
  * vtkSubdivisionSampler: grids, thickness, and what is not usable.
  */
+#include "Private/Run/SizeChecks.h"
 #include "SamplerTools.h"
 
 #include "vtkTrivialProducer.h"
@@ -36,6 +37,23 @@ TEST(SubdivisionSampler, TheGridFollowsFromTheOptions)
   EXPECT_EQ(image->GetDimensions()[2], 1);
   EXPECT_NEAR(image->GetOrigin()[1], -1., 1e-12);
   EXPECT_EQ(image->GetPointData()->GetArray("Coverage")->GetNumberOfComponents(), 1);
+}
+
+/// Where there is too little room for both, the margin is smaller.
+TEST(SubdivisionSampler, NumbersOfSamplesAreThoseAskedFor)
+{
+  for (const int samples : { 2, 3, 4, 5, 6, 7, 20 })
+  {
+    for (const int margin : { 0, 1, 2, 50 })
+    {
+      vtkNew<Filter> filter;
+      filter->SetNumberOfSamples(samples);
+      filter->SetMargin(margin);
+      const Image image = Sample(filter, MakeSolid());
+      const int* const found = image->GetDimensions();
+      EXPECT_EQ(*std::max_element(found, found + 3), samples) << margin;
+    }
+  }
 }
 
 TEST(SubdivisionSampler, AnImageGivesItsGrid)
@@ -159,11 +177,29 @@ TEST(SubdivisionSampler, MemoryThatIsNotThereIsTold)
   filter->SetMaximumNumberOfSamples(VTK_ID_MAX);
   filter->SetMaximumLevel(1);
   std::string error = FindError(filter, MakeSolid());
-  EXPECT_NE(error.find("Make Spacing larger"), std::string::npos) << error;
-  EXPECT_NE(error.find("were expected to be enough"), std::string::npos) << error;
+  EXPECT_NE(error.find("Ask for parts of the image"), std::string::npos) << error;
+  // 1e15 samples of nine bytes, and a spacing by which they are fewer than there are bytes.
+  const std::size_t told = error.find(" TB were expected to be enough");
+  ASSERT_NE(told, std::string::npos) << error;
+  EXPECT_GT(std::stod(error.substr(error.rfind(' ', told - 1))), 0.5) << error;
+  const std::string words = "A spacing of ";
+  const std::size_t at = error.find(words);
+  ASSERT_NE(at, std::string::npos) << error;
+  const double spacing = std::stod(error.substr(at + words.size()));
+  vtkNew<Filter> small;
+  small->SetMargin(0);
+  const Image image = Sample(small, MakeSolid());
+  double bytes = 9.;
+  for (int x = 0; x < 3; ++x)
+  {
+    bytes *= image->GetSpacing()[x] * image->GetDimensions()[x] / spacing;
+  }
+  // Other programs may take or free memory meanwhile.
+  EXPECT_LE(bytes, 1.5 * subdivision::GetAvailableMemory());
+  EXPECT_GE(bytes, 0.1 * subdivision::GetAvailableMemory());
   filter->GenerateCoverageOn();
   error = FindError(filter, MakeSolid());
-  EXPECT_NE(error.find("switch GenerateCoverage off"), std::string::npos) << error;
+  EXPECT_NE(error.find("Switch GenerateCoverage off"), std::string::npos) << error;
 }
 
 /// Solids, flat and straight objects have other numbers of samples by their spacing.
