@@ -88,7 +88,8 @@ bool vtkMultiDimensionalSubdivision::EvaluateLimit(
 }
 
 bool vtkMultiDimensionalSubdivision::MakeLevelAside(int level, bool isFirst,
-  const std::pair<double, double>& part, vtkInformationVector** inputVector)
+  const std::pair<double, double>& part, vtkInformationVector** inputVector,
+  vtkSubdivisionOperator* found)
 {
   auto options = std::tie(this->NumberOfLevels, this->ProjectToLimit, this->GenerateOriginalIds,
     this->GenerateGlobalIds, this->OutputPointsPrecision, this->CacheOperator,
@@ -97,6 +98,10 @@ bool vtkMultiDimensionalSubdivision::MakeLevelAside(int level, bool isFirst,
   const Given<decltype(options)> given(options); // also where memory ends
   options = std::make_tuple(std::max(level, 0), level >= 0, true, false, int(DOUBLE_PRECISION),
     false, false, false, false, false, false, int(LINEAR_CELLS));
+  if (found)
+  {
+    return this->FindOperator(found);
+  }
   vtkNew<vtkInformationVector> made;
   made->SetNumberOfInformationObjects(1);
   this->vtkMultiDimensionalSubdivision::RequestDataObject(nullptr, inputVector, made);

@@ -281,9 +281,10 @@ protected:
   /// For filters that write something else than a mesh: makes a level of straight cells in double
   /// precision, with all points on the limit and OriginalCellIds, and calls Finish with it; -1: the
   /// cells of the control mesh. The first of an update has `isFirst`, so that none repeats the
-  /// warnings of those before. It is `part` of the work. Returns false after an error.
+  /// warnings of those before. It is `part` of the work. With an operator it is found instead.
+  /// Returns false after an error.
   bool MakeLevelAside(int level, bool isFirst, const std::pair<double, double>& part,
-    vtkInformationVector** inputVector);
+    vtkInformationVector** inputVector, vtkSubdivisionOperator* found = nullptr);
   /// Whether the user has stopped this rank or another one: what MakeLevelAside made is empty then,
   /// and the next level may be whole. All ranks have to ask.
   bool IsStopped();

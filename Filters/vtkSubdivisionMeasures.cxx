@@ -8,6 +8,9 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkMultiProcessController.h"
@@ -15,10 +18,14 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkSubdivisionOperator.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSubdivisionMeasures);
 
@@ -49,8 +56,9 @@ vtkSmartPointer<vtkDataObject> vtkSubdivisionMeasures::Finish(vtkDataObject* mad
   const auto finished = this->Superclass::Finish(made);
   if (this->Levels && this->HasOutput())
   {
-    this->Levels->HasControl() ? this->Levels->AddLevel(finished)
-                               : this->Levels->AddControl(finished);
+    !this->Levels->HasControl() ? this->Levels->AddControl(finished)
+      : this->Gradients         ? this->Levels->FindGradients(finished, *this->Gradients)
+                                : this->Levels->AddLevel(finished);
   }
   return finished;
 }
@@ -60,20 +68,10 @@ bool vtkSubdivisionMeasures::FindArrays(
 {
   const auto warn = [](const std::string&) {}; // the reader of features has warned
   const auto fail = [this](const std::string& text) { this->FailMeasuring(text); };
-  const bool areFound =
-    subdivision::FindInputArray(this, mesh->GetCellData(), mesh->GetNumberOfCells(),
-      { MATERIAL_ARRAY, "MaterialId", false }, warn, fail, material) &&
+  return subdivision::FindInputArray(this, mesh->GetCellData(), mesh->GetNumberOfCells(),
+           { MATERIAL_ARRAY, "MaterialId", false }, warn, fail, material) &&
     subdivision::FindInputArray(this, mesh->GetPointData(), mesh->GetNumberOfPoints(),
-      { DENSITY_ARRAY, nullptr, false, true }, warn, fail, density);
-  if (areFound && density && density->GetDataType() != VTK_FLOAT &&
-    density->GetDataType() != VTK_DOUBLE)
-  {
-    fail(std::string("Point array \"") + density->GetName() +
-      "\" (array index 11) is not usable: densities must be floating point numbers, as others are "
-      "not smoothed. Convert it first.");
-    return false;
-  }
-  return areFound;
+      { DENSITY_ARRAY, nullptr, false, true, false, "densities" }, warn, fail, density);
 }
 
 void vtkSubdivisionMeasures::FailMeasuring(const std::string& text)
@@ -99,6 +97,17 @@ int vtkSubdivisionMeasures::RequestData(
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
+  vtkTable* const table = vtkTable::GetData(outputVector);
+  if (!this->Work([&] { return this->MeasureLevels(inputVector, table); }))
+  {
+    table->Initialize();
+  }
+  this->Levels.reset();
+  return this->HasFailed ? 0 : 1;
+}
+
+bool vtkSubdivisionMeasures::Work(const std::function<bool()>& work)
+{
   subdivision::MeasureOptions options;
   options.FindArrays = [this](
                          vtkUnstructuredGrid* mesh, vtkDataArray*& material, vtkDataArray*& density)
@@ -107,7 +116,6 @@ int vtkSubdivisionMeasures::RequestData(
   options.Tolerance = this->Tolerance;
   options.Controller = this->SharesRanks() ? this->Controller.Get() : nullptr;
   this->HasFailed = false;
-  vtkTable* const table = vtkTable::GetData(outputVector);
   subdivision::FilterTraits traits;
   traits.Memory = "the levels. Make MaximumLevel or MaximumCellsOfLevel smaller.";
   subdivision::RunOptions messages;
@@ -116,15 +124,10 @@ int vtkSubdivisionMeasures::RequestData(
     [&]
     {
       this->Levels = std::make_unique<subdivision::MeasuredLevels>(options);
-      return this->MeasureLevels(inputVector, table);
+      return work();
     });
-  if (!isDone)
-  {
-    table->Initialize();
-  }
   this->SetProgressShiftScale(0., 1.);
-  this->Levels.reset();
-  return this->HasFailed ? 0 : 1;
+  return isDone;
 }
 
 bool vtkSubdivisionMeasures::MeasureLevels(vtkInformationVector** inputVector, vtkTable* table)
@@ -148,6 +151,75 @@ bool vtkSubdivisionMeasures::MeasureLevels(vtkInformationVector** inputVector, v
     subdivision::Warn(this, "The input has no cells of these dimensions: nothing is measured.");
   }
   return true;
+}
+
+bool vtkSubdivisionMeasures::ComputeGradients(vtkIdType row, vtkPointData* gradients)
+{
+  gradients->Initialize();
+  this->Update();
+  vtkTable* const table = this->GetOutput();
+  if (row < 0 || row >= table->GetNumberOfRows())
+  {
+    subdivision::Fail(this,
+      "There is no row " + std::to_string(row) + ": the table has " +
+        std::to_string(table->GetNumberOfRows()) + ".");
+    return false;
+  }
+  const auto read = [table, row](const char* name, double otherwise)
+  {
+    auto* const column = vtkDataArray::SafeDownCast(table->GetColumnByName(name));
+    return column ? column->GetComponent(row, 0) : otherwise;
+  };
+  subdivision::MeasureGradients found;
+  found.Dimension = static_cast<int>(read("Dimension", 0.));
+  found.OfAllMaterials = read("AllMaterials", 1.) != 0.;
+  found.Material = read("Material", 0.);
+  const auto last =
+    static_cast<int>(vtkDataArray::SafeDownCast(table->GetFieldData()->GetArray("MeasuredLevels"))
+        ->GetComponent(0, 0));
+  this->Gradients = &found;
+  const int dimensions = std::exchange(this->OutputDimensions, int(ALL_DIMENSIONS));
+  const bool isDone = this->Work([&] { return this->AddGradientsOfLevels(last); });
+  if (isDone)
+  {
+    this->Levels->WriteGradients(found, gradients);
+  }
+  this->OutputDimensions = dimensions;
+  this->Gradients = nullptr;
+  this->Levels.reset();
+  return isDone;
+}
+
+/// The limit is a sum of what the last levels have, and so are its derivatives.
+bool vtkSubdivisionMeasures::AddGradientsOfLevels(int last)
+{
+  vtkInformationVector** const inputs = this->GetExecutive()->GetInputInformation();
+  subdivision::MeasureGradients& found = *this->Gradients;
+  bool isGood = this->MakeLevelAside(-1, true, { 0., 0.1 }, inputs) && this->Levels->HasControl();
+  for (int level = std::max(last - 2, 0); isGood && level <= last; ++level)
+  {
+    std::vector<double> levels(last + 1, 0.);
+    levels[level] = 1.;
+    const double weight = subdivision::Extrapolate(levels, 0., 0.).Value;
+    const double done = 0.1 + 0.3 * (level - last + 2);
+    vtkNew<vtkSubdivisionOperator> rows;
+    found.OfLevel = nullptr;
+    isGood = this->MakeLevelAside(level, false, { done, 0.15 }, inputs, rows) &&
+      this->MakeLevelAside(level, false, { done + 0.15, 0.15 }, inputs) && found.OfLevel &&
+      rows->MultiplyTransposed(found.OfLevel);
+    if (isGood && !found.Sum)
+    {
+      found.Sum = vtkSmartPointer<vtkDoubleArray>::New();
+      found.Sum->SetNumberOfComponents(found.OfLevel->GetNumberOfComponents());
+      found.Sum->SetNumberOfTuples(found.OfLevel->GetNumberOfTuples());
+      found.Sum->FillValue(0.);
+    }
+    for (vtkIdType i = 0; isGood && i < found.Sum->GetNumberOfValues(); ++i)
+    {
+      found.Sum->SetValue(i, found.Sum->GetValue(i) + weight * found.OfLevel->GetValue(i));
+    }
+  }
+  return isGood;
 }
 
 void vtkSubdivisionMeasures::PrintSelf(ostream& os, vtkIndent indent)

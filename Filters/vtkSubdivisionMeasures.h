@@ -75,16 +75,19 @@
 #include "vtkMultiDimensionalSubdivision.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
-#include <memory> // for std::unique_ptr
+#include <functional> // for std::function
+#include <memory>     // for std::unique_ptr
 #include <string>
 
 class vtkDataArray;
+class vtkPointData;
 class vtkTable;
 class vtkUnstructuredGrid;
 
 namespace subdivision
 {
 class MeasuredLevels;
+struct MeasureGradients;
 }
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionMeasures : public vtkMultiDimensionalSubdivision
@@ -124,6 +127,24 @@ public:
   vtkGetMacro(Tolerance, double);
   ///@}
 
+  /**
+   * Finds the derivatives of the numbers in a row of the output, which is updated, by all that the
+   * control points have. `gradients` gets arrays (vtkDoubleArray) with a tuple for each point of
+   * the input:
+   *  - `MeasureByPoints` (3 components): of `Measure` by the place of the point.
+   *  - `MassByPoints` (3) and `MassByDensity`, with a density only: of `Mass` by the place and the
+   *    density of the point.
+   *  - `AIntegralByPoints` (3 for each component of A, one component of A after another),
+   *    `AIntegralByValues` (1: of each component by itself) and, with a density,
+   *    `AIntegralByDensity` (as many as A has), for each point array A of floating point numbers.
+   *
+   * They are those of the numbers as they are measured, levels and extrapolation included: exact
+   * but for rounding, if the input is in double precision. An integral of the density itself has
+   * both derivatives, and the sum counts. It is for one mesh in this process, as ComputeOperator.
+   * It takes about as long as an update. Returns false after an error.
+   */
+  bool ComputeGradients(vtkIdType row, vtkPointData* gradients);
+
 protected:
   vtkSubdivisionMeasures();
   ~vtkSubdivisionMeasures() override;
@@ -152,8 +173,12 @@ private:
   bool MeasureLevels(vtkInformationVector** inputVector, vtkTable* table);
   bool FindArrays(vtkUnstructuredGrid* mesh, vtkDataArray*& material, vtkDataArray*& density);
   void FailMeasuring(const std::string& text);
+  /// Calls work() with Levels, and says whether it is done.
+  bool Work(const std::function<bool()>& work);
+  bool AddGradientsOfLevels(int last);
 
   std::unique_ptr<subdivision::MeasuredLevels> Levels; ///< while levels are made
+  subdivision::MeasureGradients* Gradients = nullptr;  ///< if they are wanted
   bool HasFailed = false;
 
   vtkSubdivisionMeasures(const vtkSubdivisionMeasures&) = delete;

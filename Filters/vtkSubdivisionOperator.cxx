@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSubdivisionOperator.h"
 
+#include "Core/Memory/Loops.h"
 #include "Private/Arrays/MatrixArrays.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkObjectFactory.h"
+
+#include <algorithm>
+#include <vector>
 
 vtkStandardNewMacro(vtkSubdivisionOperator);
 
@@ -50,6 +54,37 @@ void vtkSubdivisionOperator::GetFactor(
     return;
   }
   subdivision::WriteMatrix(this->Factors->Get()[factor], offsets, ids, weights);
+}
+
+bool vtkSubdivisionOperator::MultiplyTransposed(vtkDoubleArray* values) const
+{
+  if (values->GetNumberOfTuples() != this->GetNumberOfRows())
+  {
+    return false;
+  }
+  const int components = values->GetNumberOfComponents();
+  std::vector<double> outer(
+    values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfValues());
+  const auto& factors = this->Factors->Get();
+  for (auto factor = factors.rbegin(); factor != factors.rend(); ++factor)
+  {
+    std::vector<double> inner(factor->GetNumberOfColumns() * components, 0.);
+    for (const vtkIdType row : subdivision::InTurn(factor->GetNumberOfRows()))
+    {
+      for (auto k = factor->Offsets[row]; k < factor->Offsets[row + 1]; ++k)
+      {
+        for (int c = 0; c < components; ++c)
+        {
+          inner[factor->Columns[k] * components + c] +=
+            factor->Weights[k] * outer[row * components + c];
+        }
+      }
+    }
+    outer.swap(inner);
+  }
+  values->SetNumberOfTuples(this->GetNumberOfColumns());
+  std::copy(outer.begin(), outer.end(), values->GetPointer(0));
+  return true;
 }
 
 void vtkSubdivisionOperator::PrintSelf(ostream& os, vtkIndent indent)

@@ -74,6 +74,13 @@ public:
     int factor, vtkIdTypeArray* offsets, vtkIdTypeArray* ids, vtkDoubleArray* weights) const;
   ///@}
 
+  /**
+   * Multiplies the transpose of S with values that have a tuple for each row; they have one for
+   * each column then. This makes derivatives by points of the input of those by points of the
+   * output. Returns false, and changes nothing, if there is another number of tuples.
+   */
+  bool MultiplyTransposed(vtkDoubleArray* values) const;
+
 protected:
   vtkSubdivisionOperator();
   ~vtkSubdivisionOperator() override;

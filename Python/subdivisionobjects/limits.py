@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The limit at places of cells. NumPy is loaded when it is needed."""
+"""The limit at places of cells, and derivatives of its measures. NumPy is loaded when it is needed."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Callable, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, Optional, Union
 
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkPointData, vtkPolyData
 
 from .arrays import Arrays
 from .execution import listen_to
-from .run import to_filter
+from .run import find_filter, prepare, to_filter
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import ArrayLike
 
-    from .kinds import AnyMesh
+    from .kinds import AnyMesh, Cells
 
 
 def evaluate_limit(
@@ -55,3 +56,28 @@ def evaluate_limit(
     with listen_to(made, words, progress):
         made.EvaluateLimit(meshes.to_vtk_ids(ids), meshes.to_vtk_array(rows), result)
     return meshes.to_arrays(result)
+
+
+def measure_gradients(
+    mesh: AnyMesh, cells: Optional[Cells] = None, *, row: int = 0, **options: Any
+) -> Dict[str, np.ndarray[Any, Any]]:
+    """The derivatives of a row of `measures`, with these options, by the control points: a dictionary of arrays with a row
+    for each point.
+
+        made = measure_gradients(points, tetrahedra, point_data={"Heat": heat})
+        made["MeasureByPoints"]         # of the volume, by x, y and z
+        made["HeatIntegralByPoints"]    # of the integral of Heat, by x, y and z
+        made["HeatIntegralByValues"]    # the same, by the value of Heat
+
+    With `density_array` there are "MassByPoints", "MassByDensity" and "HeatIntegralByDensity", too. An array of several
+    components has x, y and z of one component after another.
+    """
+    from . import meshes
+
+    one = find_filter("measures")
+    progress = options.pop("progress", None)
+    made = prepare(one, {"mesh": mesh, "cells": cells, **options}).made
+    found = vtkPointData()
+    with listen_to(made, one.words, progress):
+        made.ComputeGradients(row, found)
+    return meshes.data_arrays(found)

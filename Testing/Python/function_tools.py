@@ -290,6 +290,30 @@ class Options(unittest.TestCase):
                 "SetInterpolatePoints", "SetInterpolateArrays", "SetInterpolationWeight", "SetBounds",
                 "SetInterfaceValues"}, name)
 
+    def test_gradients_of_measures_go_uphill(self):
+        """A step along the derivatives makes a volume and an integral larger by their squares."""
+        points = TET * [1, 2, 3]
+        given = {"maximum_level": 3, "tolerance": 0, "density_array": "Density"}
+
+        def measured(moved, heat):
+            found = subdivisionobjects.measures(moved, [[0, 1, 2, 3]], point_data={
+                "Density": np.arange(4.) + 1, "Heat": heat}, **given)
+            return found["Measure"][0], found["HeatIntegral"][0]
+
+        heat = np.array([1., -2., 0., 3.])
+        made = subdivisionobjects.measure_gradients(points, [[0, 1, 2, 3]], row=0, point_data={
+            "Density": np.arange(4.) + 1, "Heat": heat}, **given)
+        self.assertEqual({name: values.shape for name, values in made.items() if "Heat" not in name}, {
+            "MeasureByPoints": (4, 3), "MassByPoints": (4, 3), "MassByDensity": (4,), "DensityIntegralByPoints": (4, 3),
+            "DensityIntegralByValues": (4,), "DensityIntegralByDensity": (4,)})
+        step = 1e-5
+        for number, by_points, by_values in ((0, "MeasureByPoints", None), (1, "HeatIntegralByPoints", "HeatIntegralByValues")):
+            ways = made[by_points], made[by_values] if by_values else np.zeros(4)
+            high, low = (measured(points + sign * step * ways[0], heat + sign * step * ways[1])[number] for sign in (1, -1))
+            self.assertAlmostEqual((high - low) / (2 * step), sum((way ** 2).sum() for way in ways), 7)
+        with self.assertRaisesRegex(RuntimeError, "no row 7"):
+            subdivisionobjects.measure_gradients(points, [[0, 1, 2, 3]], row=7)
+
     def test_measures_are_a_dictionary_of_arrays(self):
         points = np.array(TET, float)
         found = subdivisionobjects.measures(points, [[0, 1, 2, 3]], point_data={"Density": points[:, 0] + 1},

@@ -2,6 +2,7 @@
 #include "Private/Measures/CellMoments.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Vectors.h"
 #include "Private/Reading/SolidCells.h"
 
 #include "vtkCellType.h"
@@ -21,6 +22,8 @@
 namespace subdivision
 {
 
+using namespace vectors;
+
 namespace
 {
 
@@ -35,6 +38,11 @@ int GetDimension(int type)
     : type == VTK_TRIANGLE || type == VTK_QUAD ? 2
     : GetFaceTable(type)                       ? 3
                                                : -1; // does not come out of the filter
+}
+
+Vector Scale(double factor, const Vector& a)
+{
+  return { factor * a[0], factor * a[1], factor * a[2] };
 }
 
 /// The ends of the edge of the level before that a new point halves.
@@ -122,26 +130,48 @@ public:
     Scratch scratch;
     for (vtkIdType i = 0; i < size; ++i)
     {
-      scratch.Sign = this->Input.Signs
-        ? (*this->Input
-              .Signs)[static_cast<std::size_t>(this->Input.Parents->GetComponent(cells[i], 0))]
-        : 1.;
+      scratch.Sign = this->GetSign(cells[i]);
       this->Read(cells[i], scratch);
       this->AddExtremes(scratch, row);
-      this->AddCell(this->Input.Mesh->GetCellType(cells[i]), scratch, row);
+      this->ForSimplices(this->Input.Mesh->GetCellType(cells[i]), scratch,
+        [&](int corners) { this->AddSimplex(corners, scratch, row); });
     }
     row.Cells += static_cast<double>(size);
   }
+  /// Adds the derivatives of a cell to the rows of its points.
+  void AddGradients(vtkIdType cell, std::vector<double>& rows) const
+  {
+    Scratch scratch;
+    scratch.Sign = this->GetSign(cell);
+    this->Read(cell, scratch);
+    this->ForSimplices(this->Input.Mesh->GetCellType(cell), scratch,
+      [&](int corners) { this->AddSimplexGradients(corners, scratch, rows); });
+  }
 
 private:
+  /// Corners of a cell.
+  struct Mean
+  {
+    std::array<int, 8> Corners;
+    int Size;
+  };
   struct Scratch
   {
     double Sign = 1.;
     vtkNew<vtkIdList> Ids;
     std::vector<double> Corners; ///< a row for each: coordinates, density, values
     std::vector<double> Simplex; ///< the same
+    std::array<Mean, 4> Means;   ///< of the corners of the simplex; without, it is the cell
+    int NumberOfMeans = 0;
     std::vector<double> Values;
   };
+
+  double GetSign(vtkIdType cell) const
+  {
+    return this->Input.Signs
+      ? (*this->Input.Signs)[static_cast<std::size_t>(this->Input.Parents->GetComponent(cell, 0))]
+      : 1.;
+  }
 
   /// Appends the values of a point.
   void AddValues(vtkIdType point, std::vector<double>& values) const
@@ -172,32 +202,37 @@ private:
   }
 
   /// Appends the mean of some corners to the simplex, or the only one.
-  template <typename Corners>
-  void AddMean(const Corners& corners, Scratch& scratch) const
+  void AddMean(const int* corners, std::size_t size, Scratch& scratch) const
   {
+    Mean& mean = scratch.Means[scratch.NumberOfMeans++];
+    mean.Size = static_cast<int>(size);
+    std::copy(corners, corners + size, mean.Corners.begin());
     const std::size_t begin = scratch.Simplex.size();
     scratch.Simplex.resize(begin + this->Width, 0.);
-    for (const int corner : corners)
+    for (std::size_t i = 0; i < size; ++i)
     {
       for (int c = 0; c < this->Width; ++c)
       {
-        scratch.Simplex[begin + c] += scratch.Corners[corner * this->Width + c];
+        scratch.Simplex[begin + c] += scratch.Corners[corners[i] * this->Width + c];
       }
     }
     for (int c = 0; c < this->Width; ++c)
     {
-      scratch.Simplex[begin + c] /= static_cast<double>(corners.size());
+      scratch.Simplex[begin + c] /= static_cast<double>(size);
     }
   }
 
-  void AddCell(int type, Scratch& scratch, MomentRow& row) const
+  /// Calls act(corners) for the simplices of a cell.
+  template <typename Act>
+  void ForSimplices(int type, Scratch& scratch, const Act& act) const
   {
     const auto size = static_cast<int>(scratch.Ids->GetNumberOfIds());
     const SolidFaces* const faces = GetFaceTable(type);
     if (type != VTK_QUAD && (!faces || type == VTK_TETRA))
     {
       scratch.Simplex = scratch.Corners;
-      this->AddSimplex(size, scratch, row);
+      scratch.NumberOfMeans = 0;
+      act(size);
       return;
     }
     std::vector<int> all(size);
@@ -214,15 +249,16 @@ private:
       for (std::size_t i = 0; i < triangles; ++i)
       {
         scratch.Simplex.clear();
+        scratch.NumberOfMeans = 0;
         if (faces)
         {
-          this->AddMean(all, scratch);
+          this->AddMean(all.data(), all.size(), scratch);
         }
-        this->AddMean(std::array<int, 1>{ face[i] }, scratch);
-        this->AddMean(std::array<int, 1>{ face[(i + 1) % face.size()] }, scratch);
-        triangles == 1 ? this->AddMean(std::array<int, 1>{ face[2] }, scratch)
-                       : this->AddMean(face, scratch);
-        this->AddSimplex(faces ? 4 : 3, scratch, row);
+        this->AddMean(&face[i], 1, scratch);
+        this->AddMean(&face[(i + 1) % face.size()], 1, scratch);
+        triangles == 1 ? this->AddMean(&face[2], 1, scratch)
+                       : this->AddMean(face.data(), face.size(), scratch);
+        act(faces ? 4 : 3);
       }
     }
   }
@@ -293,6 +329,111 @@ private:
     for (int c = 0; c < this->Components; ++c)
     {
       row.Sums[IntegralMoments + c] += pair(ValueColumns + c);
+    }
+  }
+
+  /// The derivatives of the measure of a simplex by its corners.
+  std::array<Vector, 4> FindSlopes(int corners, const Scratch& scratch) const
+  {
+    const auto edge = [&](int from, int to)
+    {
+      Vector difference;
+      for (int k = 0; k < 3; ++k)
+      {
+        difference[k] =
+          scratch.Simplex[to * this->Width + k] - scratch.Simplex[from * this->Width + k];
+      }
+      return difference;
+    };
+    std::array<Vector, 4> slopes{};
+    if (corners == 2)
+    {
+      slopes[1] = edge(0, 1);
+      vtkMath::Normalize(slopes[1].data());
+    }
+    else if (corners == 3)
+    {
+      Vector normal = Cross(edge(0, 1), edge(0, 2));
+      vtkMath::Normalize(normal.data());
+      slopes[1] = Scale(0.5, Cross(normal, edge(2, 0)));
+      slopes[2] = Scale(0.5, Cross(normal, edge(0, 1)));
+    }
+    else if (corners == 4)
+    {
+      for (int i = 1; i < 4; ++i)
+      {
+        slopes[i] = Scale(scratch.Sign / 6., Cross(edge(0, i % 3 + 1), edge(0, (i + 1) % 3 + 1)));
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      slopes[0][k] = -(slopes[1][k] + slopes[2][k] + slopes[3][k]);
+    }
+    return slopes;
+  }
+
+  /// Of what AddSimplex sums, as FindMomentGradients lists it.
+  void AddSimplexGradients(int corners, const Scratch& scratch, std::vector<double>& rows) const
+  {
+    const double measure = this->FindMeasure(corners, scratch);
+    const auto slopes = this->FindSlopes(corners, scratch);
+    const auto value = [&](int i, int column) { return scratch.Simplex[i * this->Width + column]; };
+    const bool hasDensity = this->Input.Density != nullptr;
+    const double pairs = corners * (corners + 1.);
+    std::vector<double> sums(this->Width, 0.);     // of the corners
+    std::vector<double> products(this->Width, 0.); // with the density
+    for (int i = 0; i < corners; ++i)
+    {
+      for (int c = DensityColumn; c < this->Width; ++c)
+      {
+        sums[c] += value(i, c);
+        products[c] += value(i, c) * value(i, DensityColumn);
+      }
+    }
+    const double density = sums[DensityColumn];
+    std::vector<double> row;
+    const auto append = [&](const Vector& slope)
+    { row.insert(row.end(), slope.begin(), slope.end()); };
+    for (int i = 0; i < corners; ++i)
+    {
+      row.clear();
+      append(slopes[i]);
+      if (hasDensity)
+      {
+        append(Scale(density / corners, slopes[i]));
+        row.push_back(measure / corners);
+      }
+      int first = ValueColumns;
+      for (vtkDataArray* array : this->Input.Values)
+      {
+        const int end = first + array->GetNumberOfComponents();
+        for (int c = first; c < end; ++c)
+        {
+          append(Scale((sums[c] * density + products[c]) / pairs, slopes[i]));
+        }
+        row.push_back(measure * (density + value(i, DensityColumn)) / pairs);
+        for (int c = first; hasDensity && c < end; ++c)
+        {
+          row.push_back(measure * (sums[c] + value(i, c)) / pairs);
+        }
+        first = end;
+      }
+      this->Spread(row, i, scratch, rows);
+    }
+  }
+  /// Gives the derivatives by a corner of a simplex to the points whose mean it is.
+  void Spread(const std::vector<double>& row, int corner, const Scratch& scratch,
+    std::vector<double>& rows) const
+  {
+    const Mean own{ { corner }, 1 };
+    const Mean& mean = scratch.NumberOfMeans > 0 ? scratch.Means[corner] : own;
+    for (int m = 0; m < mean.Size; ++m)
+    {
+      const std::size_t begin = row.size() * scratch.Ids->GetId(mean.Corners[m]);
+      for (std::size_t i = 0; i < row.size(); ++i)
+      {
+        rows[begin + i] += row[i] / mean.Size;
+      }
     }
   }
 
@@ -406,6 +547,28 @@ void AddMoments(const MomentInput& input, MomentRows& rows)
       });
     AddSums(blocks, rows.try_emplace(key, sums.MakeRow()).first->second);
   }
+}
+
+std::vector<double> FindMomentGradients(
+  const MomentInput& input, int dimension, const double* material)
+{
+  const MomentSums sums(input);
+  const std::size_t ofDensity = input.Density ? 1 : 0;
+  std::size_t width = 3 + 4 * ofDensity;
+  for (vtkDataArray* array : input.Values)
+  {
+    width += 1 + (3 + ofDensity) * array->GetNumberOfComponents();
+  }
+  std::vector<double> rows(width * input.Mesh->GetNumberOfPoints(), 0.);
+  for (const auto& [key, cells] : ListCells(input))
+  {
+    const bool isAsked = key.first == dimension && (!material || key.second == *material);
+    for (const vtkIdType c : InTurn(isAsked ? static_cast<vtkIdType>(cells.size()) : 0))
+    {
+      sums.AddGradients(cells[c], rows);
+    }
+  }
+  return rows;
 }
 
 std::vector<signed char> FindSigns(const MomentInput& input)

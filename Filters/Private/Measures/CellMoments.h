@@ -63,6 +63,14 @@ struct MomentInput
 /// threads.
 void AddMoments(const MomentInput& input, MomentRows& rows);
 
+/// The derivatives of the sums over cells of one dimension, and of one material unless it is null,
+/// by what the points of a mesh have. Each point has a row: of the measure by its place (3), with a
+/// density of the mass by its place and its density (3 + 1), and of the integral of each array by
+/// its place (3 for each component), its value (1, that of all components) and, with a density,
+/// that (1 for each component).
+std::vector<double> FindMomentGradients(
+  const MomentInput& input, int dimension, const double* material);
+
 /// The signs of the volumes of the cells of a control mesh. `input`: its parts, not smoothed.
 std::vector<signed char> FindSigns(const MomentInput& input);
 

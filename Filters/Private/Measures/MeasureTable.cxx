@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeasureTable.cxx
- * The table of what was measured.
+ * The table of what was measured, and the arrays of its derivatives.
  */
 #include "Private/Measures/Measures.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -133,6 +135,39 @@ void MeasuredLevels::Write(vtkTable* table) const
   level->SetName("MeasuredLevels");
   level->InsertNextValue(this->GetNumberOfLevels() - 1);
   table->GetFieldData()->AddArray(level);
+}
+
+void MeasuredLevels::WriteGradients(const MeasureGradients& gradients, vtkPointData* data) const
+{
+  int first = 0;
+  const auto add = [&](const std::string& name, int components)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(gradients.Sum->GetNumberOfTuples());
+    for (int c = 0; c < components; ++c)
+    {
+      array->CopyComponent(c, gradients.Sum, first + c);
+    }
+    data->AddArray(array);
+    first += components;
+  };
+  add("MeasureByPoints", 3);
+  if (this->HasDensity)
+  {
+    add("MassByPoints", 3);
+    add("MassByDensity", 1);
+  }
+  for (const Array& array : this->Arrays)
+  {
+    add(array.Name + "IntegralByPoints", 3 * array.Components);
+    add(array.Name + "IntegralByValues", 1);
+    if (this->HasDensity)
+    {
+      add(array.Name + "IntegralByDensity", array.Components);
+    }
+  }
 }
 
 }

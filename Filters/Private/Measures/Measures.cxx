@@ -197,6 +197,26 @@ bool MeasuredLevels::AddLevel(vtkDataObject* made)
   return true;
 }
 
+bool MeasuredLevels::FindGradients(vtkDataObject* made, MeasureGradients& gradients) const
+{
+  const auto meshes = ListGrids(made);
+  MomentInput input;
+  if (meshes.size() != 1 || !this->FindInput(meshes[0], input))
+  {
+    return false;
+  }
+  input.Signs = &this->Signs[0];
+  const auto rows = FindMomentGradients(
+    input, gradients.Dimension, gradients.OfAllMaterials ? nullptr : &gradients.Material);
+  gradients.OfLevel = vtkSmartPointer<vtkDoubleArray>::New();
+  const vtkIdType points = meshes[0]->GetNumberOfPoints();
+  gradients.OfLevel->SetNumberOfComponents(
+    static_cast<int>(static_cast<vtkIdType>(rows.size()) / std::max<vtkIdType>(points, 1)));
+  gradients.OfLevel->SetNumberOfTuples(points);
+  std::copy(rows.begin(), rows.end(), gradients.OfLevel->GetPointer(0));
+  return true;
+}
+
 /// Each rank gets the sums of all, added in the order of the ranks.
 bool MeasuredLevels::ShareRows(MomentRows& rows) const
 {

@@ -9,11 +9,15 @@
 
 #include "Private/Measures/CellMoments.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkSmartPointer.h"
+
 #include <functional>
 #include <string>
 
 class vtkDataObject;
 class vtkMultiProcessController;
+class vtkPointData;
 class vtkTable;
 
 namespace subdivision
@@ -42,6 +46,16 @@ struct Estimate
 /// the object is smooth. The remainder is at least `precision` times `scale`.
 Estimate Extrapolate(const std::vector<double>& levels, double scale, double precision);
 
+/// The derivatives of the measures of cells of a dimension, and of a material unless all are meant.
+struct MeasureGradients
+{
+  int Dimension = 0;
+  bool OfAllMaterials = true;
+  double Material = 0.;
+  /// A tuple for each point, as FindMomentGradients lists it; of a level, then of the control mesh.
+  vtkSmartPointer<vtkDoubleArray> OfLevel, Sum;
+};
+
 /// The measures of one object.
 class MeasuredLevels
 {
@@ -62,6 +76,11 @@ public:
   /// Whether all remainders are within the tolerance.
   bool IsEnough() const;
   void Write(vtkTable* table) const;
+
+  /// Finds the derivatives by the points of a level, which is one mesh.
+  bool FindGradients(vtkDataObject* made, MeasureGradients& gradients) const;
+  /// Makes the arrays of their sum.
+  void WriteGradients(const MeasureGradients& gradients, vtkPointData* data) const;
 
 private:
   struct Array
