@@ -18,6 +18,14 @@ namespace
 
 const char* const DefaultFilter = "multi-dimensional-subdivision";
 
+/// The class of what the last filter makes.
+std::string MakesType(const Command& command)
+{
+  const char* const type = command.Stages.back().Algorithm->GetOutputPortInformation(0)->Get(
+    vtkDataObject::DATA_TYPE_NAME());
+  return type ? type : "";
+}
+
 /// The arguments, one after another.
 class Reader
 {
@@ -87,7 +95,7 @@ private:
     const std::string text = given ? argument.substr(at + 1) : std::string();
     const std::pair<const char*, bool*> switches[] = { { "help", &this->Result.Help },
       { "version", &this->Result.Version }, { "info", &this->Result.Info },
-      { "quiet", &this->Result.Quiet } };
+      { "quiet", &this->Result.Quiet }, { "dither", &this->Result.Dither } };
     for (const auto& one : switches)
     {
       if (name == one.first || (!given && name == std::string("no-") + one.first))
@@ -100,6 +108,14 @@ private:
     {
       this->Result.NamesFilter = true;
       this->AddStage(FindFilter(given ? text : this->Next("--filter")));
+    }
+    else if (name == "slices")
+    {
+      this->Result.Slices = given ? text : this->Next("--slices");
+      if (this->Result.Slices.empty())
+      {
+        throw UsageError("--slices needs a value");
+      }
     }
     else if (name == "refine")
     {
@@ -138,8 +154,9 @@ private:
   std::vector<std::string> GetNames()
   {
     std::vector<std::string> names = GetOptionNames(*this->GetStage().What);
-    names.insert(
-      names.end(), { "--filter", "--refine", "--info", "--help", "--version", "--quiet" });
+    names.insert(names.end(),
+      { "--filter", "--refine", "--slices", "--dither", "--info", "--help", "--version",
+        "--quiet" });
     return names;
   }
 
@@ -239,8 +256,18 @@ private:
     {
       throw UsageError("--info tells of meshes that come out, but the last filter makes a table");
     }
+    const bool makesSlices = !this->Result.Slices.empty();
+    if (makesSlices && MakesType(this->Result) != "vtkImageData")
+    {
+      throw UsageError("--slices is for an image: let sample be the last filter");
+    }
+    if (this->Result.Dither && !makesSlices)
+    {
+      throw UsageError("--dither is for --slices: name a folder for them");
+    }
     const std::size_t wanted = (hasInput ? 1 : 0) + 1;
-    const std::size_t least = this->Result.Info || makesTable ? wanted - 1 : wanted;
+    const bool mayHaveNone = this->Result.Info || makesTable || makesSlices;
+    const std::size_t least = mayHaveNone ? wanted - 1 : wanted;
     if (this->Names.size() < least || this->Names.size() > wanted)
     {
       throw UsageError(std::string("the command line has to name ") +
@@ -291,9 +318,7 @@ private:
 
 bool MakesTable(const Command& command)
 {
-  const char* const type = command.Stages.back().Algorithm->GetOutputPortInformation(0)->Get(
-    vtkDataObject::DATA_TYPE_NAME());
-  return type && std::string(type) == "vtkTable";
+  return MakesType(command) == "vtkTable";
 }
 
 Command ReadCommandLine(const std::vector<std::string>& arguments)

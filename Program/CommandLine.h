@@ -34,7 +34,9 @@ struct Command
   bool Info = false;
   bool Quiet = false;
   std::string Input;  ///< empty for a source
-  std::string Output; ///< may be empty with Info, or where a table is made
+  std::string Output; ///< may be empty with Info or Slices, or where a table is made
+  std::string Slices; ///< the folder of pictures; may be empty
+  bool Dither = false;
   std::vector<Stage> Stages;
   bool NamesFilter = false; ///< else the filter is that by default
 };

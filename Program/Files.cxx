@@ -182,6 +182,9 @@ const std::map<std::string, Format>& GetWriters()
     { ".pvtp", { AsSurface, WritePieces, nullptr } },
     { ".pvtu", { AsGrid, WritePieces, nullptr } },
     { ".stl", { AsTriangles, WriteStl, nullptr } },
+#ifdef SUBDIVISIONOBJECTS_IOOPENVDB
+    { ".vdb", { AsItIs, WriteVdb, "vtkImageData" } },
+#endif
     { ".vti", { AsItIs, WriteXml, "vtkImageData" } },
     { ".vtk", { AsItIs, WriteLegacy, nullptr } },
     { ".vtm", { AsBlocks, WriteBlocks, nullptr } },
@@ -261,6 +264,11 @@ void CheckReadableTable(const std::string& name)
 
 void CheckWritable(const std::string& name, bool isTable)
 {
+  if (GetEnding(name) == ".vdb" && !isTable && GetWriters().count(".vdb") == 0)
+  {
+    throw UsageError("cannot write \"" + name +
+      "\": this VTK was built without its module IOOpenVDB; .vti files hold images, too");
+  }
   Check(isTable ? GetTableWriters() : GetWriters(), name, isTable ? "write the table" : "write");
 }
 

@@ -74,6 +74,8 @@ deforms and examines it.
                     name, and no file, does the same
   --refine WHAT[=NUMBER]  split where this criterion asks for it, and not where
                     the filter does by default; may be given several times
+  --slices FOLDER   with the filter sample: a picture (.png) for each layer and
+                    material; with --dither black and white by coverage
   --info            print what would come out (cells, points, memory, time),
                     and whether MaximumNumberOfCells stops the run before;
                     write nothing

@@ -29,6 +29,9 @@
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
 #include "vtkExodusIIWriter.h"
 #endif
+#ifdef SUBDIVISIONOBJECTS_IOOPENVDB
+#include "vtkOpenVDBWriter.h"
+#endif
 
 #include <filesystem>
 #include <ostream>
@@ -265,6 +268,13 @@ bool WriteLegacy(vtkDataObject* data, const char* name)
 bool WriteExodus(vtkDataObject* data, const char* name)
 {
   return Write<vtkExodusIIWriter>(data, name) && IsWhole(CanGrow(name), name);
+}
+#endif
+
+#ifdef SUBDIVISIONOBJECTS_IOOPENVDB
+bool WriteVdb(vtkDataObject* data, const char* name)
+{
+  return Write<vtkOpenVDBWriter>(data, name) && IsWhole(std::filesystem::exists(name), name);
 }
 #endif
 

@@ -27,6 +27,9 @@ bool WriteLegacy(vtkDataObject* data, const char* name);
 #ifdef SUBDIVISIONOBJECTS_IOEXODUS
 bool WriteExodus(vtkDataObject* data, const char* name);
 #endif
+#ifdef SUBDIVISIONOBJECTS_IOOPENVDB
+bool WriteVdb(vtkDataObject* data, const char* name);
+#endif
 
 }
 

@@ -6,6 +6,7 @@
 #include "Messages.h"
 #include "Names.h"
 #include "Pipeline.h"
+#include "Slices.h"
 #include "Tables.h"
 
 #include "vtkTable.h"
@@ -75,18 +76,30 @@ int Run(const std::vector<std::string>& arguments)
     {
       CheckPlace(command.Output);
     }
+    if (!command.Slices.empty() && !command.Info)
+    {
+      CheckSlices(command.Slices);
+    }
     Connect(command);
     if (command.Info)
     {
       PrintInfo(command);
     }
-    else if (command.Output.empty())
+    else if (command.Output.empty() && command.Slices.empty())
     {
       PrintTable(vtkTable::SafeDownCast(Update(command)), std::cout);
     }
     else
     {
-      WriteFile(Update(command), command.Output);
+      vtkDataObject* const made = Update(command);
+      if (!command.Output.empty())
+      {
+        WriteFile(made, command.Output);
+      }
+      if (!command.Slices.empty())
+      {
+        WriteSlices(made, command.Slices, command.Dither);
+      }
     }
   }
   return 0;

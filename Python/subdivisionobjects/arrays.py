@@ -97,15 +97,16 @@ class Image(Samples):
     """Arrays of an image by name, as a dictionary: image["Material"][k, j, i] is the sample at origin + spacing * (i, j, k).
 
     Arrays of several components have a last axis for them. `origin` and `spacing` have three numbers each, along x, y and
-    z. `scalars` is the name of the array that volume rendering shows first. `save` writes a file, `to_vtk` gives the
-    image of VTK.
+    z. `scalars` is the name of the array that volume rendering shows first, `materials` has those of the components of
+    "Coverage". `save` writes a file, `to_vtk` gives the image of VTK.
     """
 
     def __init__(
-        self, arrays: Samples, origin: Tuple[float, ...], spacing: Tuple[float, ...], scalars: Optional[str] = None
+        self, arrays: Samples, origin: Tuple[float, ...], spacing: Tuple[float, ...], scalars: Optional[str] = None,
+        materials: Tuple[str, ...] = ()
     ) -> None:
         super().__init__(arrays)
-        self.origin, self.spacing, self.scalars = origin, spacing, scalars
+        self.origin, self.spacing, self.scalars, self.materials = origin, spacing, scalars, materials
 
     def __repr__(self) -> str:
         """How many samples there are along x, y and z, and the names of arrays."""
@@ -113,10 +114,19 @@ class Image(Samples):
         return f"<Image: {' x '.join(map(str, shape))} samples; {', '.join(self)}>"
 
     def save(self, name: Union[str, os.PathLike[str]]) -> None:
-        """Writes a .vti or .vtk file."""
+        """Writes a .vti or .vtk file, or .vdb where VTK has OpenVDB."""
         from . import files
 
         files.save_image(self, name)
+
+    def save_slices(self, folder: Union[str, os.PathLike[str]], dither: bool = False) -> None:
+        """Writes a picture for each layer and material, as printers read them, as `subdivide sample --slices` does:
+        layer00000_material3.png and so on, without a material layer00000.png, and slices.json with the size and place of
+        pixels. Pixels are 255 inside, "Coverage" makes those of boundaries grey or, with `dither`, black and white as
+        often as they are covered. The first row has the largest y."""
+        from . import slices
+
+        slices.save(self, folder, dither)
 
     def to_vtk(self) -> vtkImageData:
         """The same as a vtkImageData."""

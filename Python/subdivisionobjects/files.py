@@ -26,7 +26,8 @@ READERS = {
     ".mhd": "vtkIOImage.vtkMetaImageReader",
     ".nrrd": "vtkIOImage.vtkNrrdReader",
 }
-IMAGE_WRITERS = {".vti": "vtkIOXML.vtkXMLImageDataWriter", ".vtk": "vtkIOLegacy.vtkGenericDataObjectWriter"}
+IMAGE_WRITERS = {".vti": "vtkIOXML.vtkXMLImageDataWriter", ".vtk": "vtkIOLegacy.vtkGenericDataObjectWriter",
+                 ".vdb": "vtkIOOpenVDB.vtkOpenVDBWriter"}
 WRITERS = {
     ".vtu": "vtkIOXML.vtkXMLUnstructuredGridWriter",
     ".vtp": "vtkIOXML.vtkXMLPolyDataWriter",
@@ -110,7 +111,12 @@ def save_image(image, name):
     ending = os.path.splitext(name)[1].lower()
     if ending not in IMAGE_WRITERS:
         raise ValueError(f"{name!r} ends with none of {', '.join(IMAGE_WRITERS)}, which hold images")
-    write_whole(make(IMAGE_WRITERS[ending]), image.to_vtk(), name)
+    try:
+        writer = make(IMAGE_WRITERS[ending])
+    except ImportError as error:
+        raise ValueError(f"{name!r} cannot be written: this VTK was built without the module "
+                         f"{IMAGE_WRITERS[ending].split('.')[0][3:]} ({error}); .vti files hold images, too") from None
+    write_whole(writer, image.to_vtk(), name)
 
 
 def steps(ending, is_surface):

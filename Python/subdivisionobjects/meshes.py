@@ -22,6 +22,7 @@ from .values import (  # noqa: F401
 
 # Field data by which a filter goes on with what an earlier one made, if the cells keep their order.
 STAMP = "Subdivision"
+COVERAGE = "Coverage"  # an array of images
 
 
 def to_vtk(mesh, cells=None, point_data=None, cell_data=None, of_surfaces=False, forms=None):
@@ -291,8 +292,10 @@ def to_samples(image, forms=None):
     lows = image.GetExtent()[::2] if image.GetNumberOfPoints() else (0, 0, 0)
     origin = tuple(o + s * low for o, s, low in zip(image.GetOrigin(), image.GetSpacing(), lows))
     active = image.GetPointData().GetScalars()
+    coverage = image.GetPointData().GetArray(COVERAGE)
+    names = [coverage.GetComponentName(c) for c in range(coverage.GetNumberOfComponents())] if coverage else []
     return Image({name: values.reshape(shape + values.shape[1:]) for name, values in arrays.items()}, origin,
-                 image.GetSpacing(), active and active.GetName())
+                 image.GetSpacing(), active and active.GetName(), tuple(name for name in names if name))
 
 
 def from_image(image):
@@ -308,6 +311,8 @@ def from_image(image):
     for name, values in image.items():
         values = to_numpy(name, values)
         made.GetPointData().AddArray(to_array(name, values.reshape(-1, *values.shape[3:]), made.GetNumberOfPoints()))
+    for component, name in enumerate(image.materials if COVERAGE in image else ()):
+        made.GetPointData().GetArray(COVERAGE).SetComponentName(component, name)
     if image.scalars in image:
         made.GetPointData().SetActiveScalars(image.scalars)
     return made

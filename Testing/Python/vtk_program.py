@@ -2,6 +2,7 @@
 """The program `subdivide` as users run it, and whether it has every option of the classes."""
 
 import csv
+import importlib.util
 import json
 import os
 import pathlib
@@ -16,6 +17,8 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOInfovis import vtkDelimitedTextReader
 from vtkmodules.vtkIOXML import (
     vtkXMLImageDataWriter, vtkXMLTableWriter, vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter)
@@ -80,6 +83,15 @@ def grid(name):
 
 def cells(name):
     return grid(name).GetNumberOfCells()
+
+
+def picture(name):
+    """Pixels, the row of the least y first."""
+    reader = vtkPNGReader()
+    reader.SetFileName(name)
+    reader.Update()
+    image = reader.GetOutput()
+    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(image.GetDimensions()[1::-1])
 
 
 def write(writer, data, name):
@@ -209,6 +221,66 @@ class Program(unittest.TestCase):
             self.assertEqual(done.returncode, code)
             self.assertIn(text, done.stderr)
             self.assertFalse(os.path.exists("x.vti"))
+
+    def test_slices(self):
+        """Pictures of the program and of Python are the same, and pixels of materials together are the object."""
+        write(vtkXMLUnstructuredGridWriter(), subdivisionobjects.model(model="MaterialBlock"), "part.vtu")
+        options = {"spacing": 0.1, "output_dimensions": ["Tetrahedra"]}
+        arguments = ["sample", "part.vtu", "--spacing", 0.1, "--output-dimensions", "Tetrahedra"]
+        for folder, more, given, dither in (
+                ("plain", [], {}, False), ("grey", ["--generate-coverage"], {"generate_coverage": True}, False),
+                ("dots", ["--generate-coverage", "--dither"], {"generate_coverage": True}, True)):
+            done = run(*arguments, *more, "--slices", folder)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+            image = meshes.to_samples(subdivisionobjects.sample(meshes.to_vtk("part.vtu"), **options, **given))
+            image.save_slices(folder + "/of_python", dither)
+            names = sorted(name for name in os.listdir(folder) if name.endswith(".png"))
+            self.assertEqual(names, sorted(name for name in os.listdir(folder + "/of_python") if name.endswith(".png")))
+            depth, height, width = image["Material"].shape
+            materials = np.unique(image["Material"][image["vtkValidPointMask"] == 1])
+            self.assertGreater(len(materials), 1)
+            self.assertEqual(len(names), len(materials) * depth)
+            for name in names:
+                np.testing.assert_array_equal(picture(f"{folder}/{name}"), picture(f"{folder}/of_python/{name}"), name)
+            layers = [[picture(f"{folder}/layer{k:05}_material{m}.png") for m in materials] for k in range(depth)]
+            values = np.moveaxis(np.array(layers), 1, -1) / 255  # z, y, x and materials
+            self.assertEqual(values.shape, (depth, height, width, len(materials)))
+            told = [json.loads(pathlib.Path(f"{at}/slices.json").read_text(encoding="utf-8"))
+                    for at in (folder, folder + "/of_python")]
+            self.assertEqual(told[0], told[1])
+            self.assertEqual((told[0]["pixel_and_layer"], told[0]["materials"]), ([0.1, 0.1, 0.1], [f"{m}" for m in materials]))
+            if folder == "plain":
+                inside = image["vtkValidPointMask"] == 1
+                for number, material in enumerate(materials):
+                    np.testing.assert_array_equal(values[..., number] == 1, inside & (image["Material"] == material))
+            elif folder == "grey":
+                np.testing.assert_allclose(values, image["Coverage"], atol=0.5 / 255 + 1e-6)
+            else:
+                self.assertEqual(set(np.unique(values)), {0, 1})
+                self.assertEqual(values.sum(axis=-1).max(), 1)  # no pixel has two materials
+                covered = image["Coverage"].astype(float)
+                self.assertTrue((values[covered == 1] == 1).all() and (values[covered == 0] == 0).all())
+                np.testing.assert_allclose(values.sum(axis=(0, 1, 2)), covered.sum(axis=(0, 1, 2)), rtol=0.01)
+        for code, text, given in ((2, "let sample be", ("multi", "part.vtu", "x.vtu", "--slices", "x")),
+                                  (2, "needs a value", ("sample", "part.vtu", "x.vti", "--slices=")),
+                                  (2, "is for --slices", ("sample", "part.vtu", "x.vti", "--dither")),
+                                  (1, "part.vtu", ("sample", "part.vtu", "--slices", "part.vtu"))):
+            done = run(*given)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertIn(text, done.stderr)
+
+    def test_openvdb_is_written_or_told(self):
+        write(vtkXMLUnstructuredGridWriter(), subdivisionobjects.model(model="MechanicalPart"), "part.vtu")
+        done = run("sample", "part.vtu", "part.vdb", "--spacing", 0.3)
+        if importlib.util.find_spec("vtkmodules.vtkIOOpenVDB"):
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(pathlib.Path("part.vdb").read_bytes()[:4], b" BDV")  # the number of the format, turned round
+        else:
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("built without its module IOOpenVDB", done.stderr)
+            with self.assertRaisesRegex(ValueError, "built without the module IOOpenVDB"):
+                meshes.to_samples(subdivisionobjects.sample(meshes.to_vtk("part.vtu"), spacing=0.3)).save("part.vdb")
+        self.assertEqual(os.path.exists("part.vdb"), done.returncode == 0)
 
     def test_it_does_what_the_class_does(self):
         done = run(SHIP, "smooth.vtu", "--levels", 2, "--scheme", "tetoct")
