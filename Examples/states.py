@@ -13,15 +13,17 @@ import xml.etree.ElementTree as ElementTree
 
 import demo
 import gallery_surfaces
+import numpy as np
 import picture_files
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 FOLDER = "states"
 # What a picture depends on; all else of these is as the client makes it.
 KEPT = {"views": ("Representations", "ViewSize", "Camera", "CenterOfRotation", "Background", "UseColorPalette",
                   "OrientationAxesVisibility"),
         "representations": ("Input", "Representation", "ColorArrayName", "LookupTable", "ScalarOpacityFunction", "Position", "AmbientColor",
-                            "ScalarOpacityUnitDistance")}
+                            "ScalarOpacityUnitDistance", "InterpolationType", "Shade")}
 
 
 # ---------------------------------------------------------------- what the states show
@@ -92,6 +94,34 @@ def volume():
     look(demo.VIEWS[name][0])
 
 
+def materials():
+    """Each material of a smooth object in a colour of its own, in volume rendering, and nothing outside."""
+    name = "MaterialBlock"
+    image = simple.SampleSmoothObject(Input=model(name), NumberOfSamples=200)
+    show_materials(image)
+    look((0.6, -1.0, 0.5))
+
+
+def show_materials(image, colours=((0.45, 0.62, 0.88), (0.98, 0.66, 0.3), (0.45, 0.75, 0.4), (0.85, 0.35, 0.35))):
+    """A colour for each value of Material; the least one, of the outside, is transparent. Values between those of two
+    materials, which linear interpolation would make, would look like a third: so each pixel has that of the nearest
+    sample."""
+    display = show(image, "Material", "Volume")
+    found = np.unique(vtk_to_numpy(servermanager.Fetch(image).GetPointData().GetArray("Material"))).tolist()
+    steps = []
+    for value, colour in zip(found, colours[:1] + colours):
+        steps += [value - 0.49, *colour, value + 0.49, *colour]
+    table = simple.GetColorTransferFunction("Material")
+    table.RGBPoints, table.ColorSpace, table.ScalarRangeInitialized = steps, "RGB", 1
+    opacity = simple.GetOpacityTransferFunction("Material")
+    opacity.Points = [found[0], 0, 0.5, 0, found[0] + 0.4, 0, 0.5, 0, found[0] + 0.6, 1, 0.5, 0, found[-1], 1, 0.5, 0]
+    display.LookupTable, display.ScalarOpacityFunction = table, opacity
+    display.InterpolationType = "Nearest"
+    display.Shade = 1
+    display.ScalarOpacityUnitDistance = image.GetDataInformation().DataInformation.GetBounds()[1] / 100
+    return display
+
+
 def sharp_edges():
     """Creases where the control mesh has an angle above 30 degrees, and the rule of each point."""
     name = "MechanicalPart"
@@ -141,7 +171,7 @@ def deformation():
     look()
 
 
-STATES = (levels, cut_open, volume, sharp_edges, surface_schemes, refinement, adaptive_surface, deformation)
+STATES = (levels, cut_open, volume, materials, sharp_edges, surface_schemes, refinement, adaptive_surface, deformation)
 
 
 # ---------------------------------------------------------------- files
