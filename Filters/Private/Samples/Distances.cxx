@@ -39,7 +39,7 @@ std::array<Place, 10> Distances::GetNodesOf(const Part& part) const
 }
 
 void Distances::Approach(
-  const Part& part, const std::pair<int, int>& slices, std::vector<double>& squares) const
+  const Part& part, const SampleGrid& slab, std::vector<double>& squares) const
 {
   const auto nodes = this->GetNodesOf(part);
   // Boxes around parts that are larger than the band have many samples that are far away.
@@ -47,21 +47,20 @@ void Distances::Approach(
     std::max(CountHalvings(FindBend(nodes, part.Dimension), this->Options.Tolerance, 4.),
       CountHalvings(
         FindSize(nodes, part.Dimension, { { 1., 1., 1. } }), 4. * this->Options.Band, 2.));
-  ForSamplesNear(this->Options.Grid, slices, nodes, part.Dimension, halvings, this->Options.Band,
+  ForSamplesNear(slab, nodes, part.Dimension, halvings, this->Options.Band,
     [&squares](int, int, int, vtkIdType sample, const StraightPart&, const NearestPoint& nearest)
     { squares[sample] = std::min(squares[sample], nearest.Square); });
 }
 
-void Distances::WriteSlab(vtkIdType slab, float* distances) const
+void Distances::WriteSlab(vtkIdType number, float* distances) const
 {
-  const SampleGrid& grid = this->Options.Grid;
-  const auto slices = GetSlices(grid, slab);
+  const SampleGrid slab = GetSlab(this->Options.Grid, number);
   const double band = this->Options.Band;
   std::array<std::vector<double>, 2> squares; // from the outside of solids, and from others
-  squares.fill(std::vector<double>(CountSamplesOf(grid, slices), band * band));
-  this->Lists->ForNumbers(slab, [&](vtkIdType i)
-    { this->Approach(this->Parts[i], slices, squares[this->Parts[i].IsOutside ? 0 : 1]); });
-  const vtkIdType begin = slab * SlicesOfSlab * CountSamplesOf(grid, { 0, 1 });
+  squares.fill(std::vector<double>(CountSamplesOf(slab), band * band));
+  this->Lists->ForNumbers(number, [&](vtkIdType i)
+    { this->Approach(this->Parts[i], slab, squares[this->Parts[i].IsOutside ? 0 : 1]); });
+  const vtkIdType begin = GetBegin(this->Options.Grid, slab);
   for (std::size_t s = 0; s < squares[0].size(); ++s)
   {
     float& distance = distances[begin + static_cast<vtkIdType>(s)];

@@ -21,7 +21,7 @@ public:
 
   /// Writes the distances of the samples of a slab, which are negative where they have been so: in
   /// solids. SampleOptions::Others, if it is there, gets those from surfaces, curves and points.
-  void WriteSlab(vtkIdType slab, float* distances) const;
+  void WriteSlab(vtkIdType number, float* distances) const;
 
   /// The distance from the whole where that from the outside of solids is `solid`: inside of solids
   /// their outside counts alone.
@@ -39,8 +39,7 @@ private:
   };
   std::array<Place, 10> GetNodesOf(const Part& part) const;
   /// Lowers the squares of distances of samples that are nearer to a part.
-  void Approach(
-    const Part& part, const std::pair<int, int>& slices, std::vector<double>& squares) const;
+  void Approach(const Part& part, const SampleGrid& slab, std::vector<double>& squares) const;
 
   const std::vector<SampledMesh>& Meshes;
   const SampleOptions& Options;

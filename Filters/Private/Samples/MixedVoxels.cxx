@@ -46,7 +46,8 @@ MixedVoxels::MixedVoxels(const std::vector<SampledMesh>& meshes,
   , Options(options)
   , Faces(ListFaces(meshes, true))
 {
-  const double more = options.Grid.Spacing[2];
+  const auto& spacing = options.Grid.Spacing;
+  const double more = *std::max_element(spacing.begin(), spacing.end());
   this->Lists =
     std::make_unique<SlabLists>(options.Grid, static_cast<vtkIdType>(this->Faces.size()),
       [&](vtkIdType i)
@@ -57,7 +58,7 @@ MixedVoxels::MixedVoxels(const std::vector<SampledMesh>& meshes,
 }
 
 void MixedVoxels::Mark(
-  const SolidFace& face, const std::pair<int, int>& slices, std::vector<char>& flags) const
+  const SolidFace& face, const SampleGrid& slab, std::vector<char>& flags) const
 {
   const SampleGrid& grid = this->Options.Grid;
   const auto nodes = GetNodes(this->Meshes[face.Mesh].Mesh, face.Triangle, 2);
@@ -70,8 +71,8 @@ void MixedVoxels::Mark(
       const auto& spacing = grid.Spacing;
       const auto box = FindBox(
         part, 2, { bend + spacing[0] / 2., bend + spacing[1] / 2., bend + spacing[2] / 2. });
-      ForSamplesIn(grid, slices, box.first, box.second,
-        [&](int, int, int, vtkIdType voxel) { flags[voxel] = 1; });
+      ForSamplesIn(
+        slab, box.first, box.second, [&](int, int, int, vtkIdType voxel) { flags[voxel] = 1; });
     });
 }
 
@@ -88,20 +89,17 @@ double MixedVoxels::GetMaterial(const ListedPiece& listed) const
   return material ? material->GetComponent(listed.Piece->Cell, 0) : 0.;
 }
 
-void MixedVoxels::CoverSlab(vtkIdType slab, const std::vector<ListedPiece>& solids,
+void MixedVoxels::CoverSlab(vtkIdType number, const std::vector<ListedPiece>& solids,
   const SlabLists& lists, const char* mask, const std::function<double(vtkIdType)>& materialOf,
   float* coverage) const
 {
   const SampleGrid& grid = this->Options.Grid;
-  const auto& extent = grid.Extent;
-  const auto slices = GetSlices(grid, slab);
-  const vtkIdType width = extent[1] - extent[0] + 1;
-  const vtkIdType height = extent[3] - extent[2] + 1;
-  const vtkIdType size = CountSamplesOf(grid, slices);
-  const vtkIdType begin = width * height * (slices.first - extent[4]);
+  const SampleGrid slab = GetSlab(grid, number);
+  const vtkIdType size = CountSamplesOf(slab);
+  const vtkIdType begin = GetBegin(grid, slab);
   const int components = static_cast<int>(std::max<std::size_t>(this->Materials.size(), 1));
   std::vector<char> flags(size, 0);
-  this->Lists->ForNumbers(slab, [&](vtkIdType f) { this->Mark(this->Faces[f], slices, flags); });
+  this->Lists->ForNumbers(number, [&](vtkIdType f) { this->Mark(this->Faces[f], slab, flags); });
   for (vtkIdType s = 0; s < size; ++s)
   {
     flags[s] = flags[s] || mask[begin + s] == InOther;
@@ -111,7 +109,7 @@ void MixedVoxels::CoverSlab(vtkIdType slab, const std::vector<ListedPiece>& soli
     }
   }
   std::vector<std::uint64_t> taken(size, 0); // places that are in a piece already
-  lists.ForNumbers(slab,
+  lists.ForNumbers(number,
     [&](vtkIdType i)
     {
       const ListedPiece& listed = solids[i];
@@ -124,7 +122,7 @@ void MixedVoxels::CoverSlab(vtkIdType slab, const std::vector<ListedPiece>& soli
         low[x] -= grid.Spacing[x] / 2.;
         high[x] += grid.Spacing[x] / 2.;
       }
-      ForSamplesIn(grid, slices, low, high,
+      ForSamplesIn(slab, low, high,
         [&](int at, int j, int k, vtkIdType voxel)
         {
           if (flags[voxel])

@@ -31,13 +31,12 @@ public:
   /// into it. Writes the coverage of the samples of the slab, of each material, into `coverage`,
   /// which is 0; `mask` and `materialOf` are those of samples that are done.
   /// Voxels whose sample is of a surface or a curve are looked at like those with a face.
-  void CoverSlab(vtkIdType slab, const std::vector<ListedPiece>& solids, const SlabLists& lists,
+  void CoverSlab(vtkIdType number, const std::vector<ListedPiece>& solids, const SlabLists& lists,
     const char* mask, const std::function<double(vtkIdType)>& materialOf, float* coverage) const;
 
 private:
   /// Marks the voxels of the slab through which faces may pass; `flags` begin at its first slice.
-  void Mark(
-    const SolidFace& face, const std::pair<int, int>& slices, std::vector<char>& flags) const;
+  void Mark(const SolidFace& face, const SampleGrid& slab, std::vector<char>& flags) const;
   /// How many places of a voxel are in a piece and in none before; `taken` has a bit for each.
   int CountPlaces(
     const TetrahedronSamples& samples, const std::array<int, 3>& voxel, std::uint64_t& taken) const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceLists.h
- * Which pieces reach into which slices of an image.
+ * Which pieces reach into which slabs of an image.
  */
 #ifndef SubdivisionObjects_PieceLists_h
 #define SubdivisionObjects_PieceLists_h
@@ -17,38 +17,78 @@
 namespace subdivision
 {
 
-/// The slices that one thread fills: so many, but at the end.
-constexpr int SlicesOfSlab = 4;
+inline vtkIdType CountSamplesOf(const SampleGrid& grid)
+{
+  const auto& extent = grid.Extent;
+  return vtkIdType(extent[1] - extent[0] + 1) * (extent[3] - extent[2] + 1) *
+    (extent[5] - extent[4] + 1);
+}
+
+/// Slabs are what one thread fills at a time: slices of an image or, of a large one, rows of a
+/// slice, so that each takes less than a tenth of a second. Their samples follow one another.
+struct SlabSizes
+{
+  explicit SlabSizes(const SampleGrid& grid)
+  {
+    constexpr vtkIdType most = 4096;
+    const vtkIdType width = std::max(grid.Extent[1] - grid.Extent[0] + 1, 1);
+    const vtkIdType height = std::max(grid.Extent[3] - grid.Extent[2] + 1, 1);
+    this->Rows = std::max<vtkIdType>(std::min(height, most / width), 1);
+    this->Slices = std::min<vtkIdType>(std::max<vtkIdType>(most / (width * height), 1), 4);
+    this->Strips = (height + this->Rows - 1) / this->Rows;
+  }
+  vtkIdType Rows;
+  vtkIdType Slices;
+  vtkIdType Strips; ///< how often rows fill a slice
+};
 
 inline vtkIdType CountSlabs(const SampleGrid& grid)
 {
-  return (grid.Extent[5] - grid.Extent[4] + SlicesOfSlab) / SlicesOfSlab;
+  const SlabSizes sizes(grid);
+  return sizes.Strips * ((grid.Extent[5] - grid.Extent[4] + sizes.Slices) / sizes.Slices);
 }
 
-/// The first slice of a slab, and one past its last.
-inline std::pair<int, int> GetSlices(const SampleGrid& grid, vtkIdType slab)
+/// The part of an image that is a slab.
+inline SampleGrid GetSlab(const SampleGrid& grid, vtkIdType number)
 {
-  const int begin = grid.Extent[4] + static_cast<int>(slab) * SlicesOfSlab;
-  return { begin, std::min(begin + SlicesOfSlab, grid.Extent[5] + 1) };
+  const SlabSizes sizes(grid);
+  SampleGrid slab = grid;
+  const auto cut = [&](int axis, vtkIdType part, vtkIdType size)
+  {
+    int* const ends = slab.Extent.data() + 2 * axis;
+    ends[0] += static_cast<int>(part * size);
+    ends[1] = static_cast<int>(std::min<vtkIdType>(ends[1], ends[0] + size - 1));
+  };
+  cut(1, number % sizes.Strips, sizes.Rows);
+  cut(2, number / sizes.Strips, sizes.Slices);
+  return slab;
 }
 
-/// Calls visit(i, j, k, number in the slab) for the samples of some slices in a box.
-template <typename Visit>
-void ForSamplesIn(const SampleGrid& grid, const std::pair<int, int>& slices, const Place& low,
-  const Place& high, const Visit& visit)
+/// The number of the first sample of a slab in the image.
+inline vtkIdType GetBegin(const SampleGrid& grid, const SampleGrid& slab)
 {
   const auto& extent = grid.Extent;
+  const vtkIdType row = slab.Extent[2] - extent[2] +
+    vtkIdType(extent[3] - extent[2] + 1) * (slab.Extent[4] - extent[4]);
+  return row * (extent[1] - extent[0] + 1);
+}
+
+/// Calls visit(i, j, k, number in the slab) for the samples of a slab in a box.
+template <typename Visit>
+void ForSamplesIn(const SampleGrid& slab, const Place& low, const Place& high, const Visit& visit)
+{
+  const auto& extent = slab.Extent;
   const vtkIdType width = extent[1] - extent[0] + 1;
   const vtkIdType height = extent[3] - extent[2] + 1;
-  const int firstI = grid.GetFirst(0, low[0]);
-  const int lastI = grid.GetLast(0, high[0]);
-  const int lastJ = grid.GetLast(1, high[1]);
-  const int lastK = std::min(grid.GetLast(2, high[2]), slices.second - 1);
-  for (int k = std::max(grid.GetFirst(2, low[2]), slices.first); k <= lastK; ++k)
+  const int firstI = slab.GetFirst(0, low[0]);
+  const int lastI = slab.GetLast(0, high[0]);
+  const int lastJ = slab.GetLast(1, high[1]);
+  const int lastK = slab.GetLast(2, high[2]);
+  for (int k = slab.GetFirst(2, low[2]); k <= lastK; ++k)
   {
-    for (int j = grid.GetFirst(1, low[1]); j <= lastJ; ++j)
+    for (int j = slab.GetFirst(1, low[1]); j <= lastJ; ++j)
     {
-      const vtkIdType row = width * (j - extent[2] + height * (k - slices.first)) - extent[0];
+      const vtkIdType row = width * (j - extent[2] + height * (k - extent[4])) - extent[0];
       for (int i = firstI; i <= lastI; ++i)
       {
         visit(i, j, k, row + i);
@@ -61,26 +101,41 @@ void ForSamplesIn(const SampleGrid& grid, const std::pair<int, int>& slices, con
 class SlabLists
 {
 public:
-  /// `find(i)`: from where to where number i reaches along the third axis.
+  /// `find(i)`: the lowest and the highest corner of a box around number i.
   template <typename Find>
   SlabLists(const SampleGrid& grid, vtkIdType size, const Find& find)
     : Starts(CountSlabs(grid) + 1, 0)
   {
-    std::vector<std::pair<int, int>> slabs(size);
+    const SlabSizes sizes(grid);
+    /// Strips and layers, from the first to the last.
+    std::vector<std::array<vtkIdType, 4>> slabs(size);
     ForEach(size,
       [&](vtkIdType i)
       {
-        const std::pair<double, double> reach = find(i);
-        const int first = grid.GetFirst(2, reach.first) - grid.Extent[4];
-        const int last = grid.GetLast(2, reach.second) - grid.Extent[4];
-        slabs[i] = { first / SlicesOfSlab, first > last ? -1 : last / SlicesOfSlab };
+        const std::pair<Place, Place> box = find(i);
+        const auto set = [&](int axis, vtkIdType slices)
+        {
+          const vtkIdType first = grid.GetFirst(axis, box.first[axis]) - grid.Extent[2 * axis];
+          const vtkIdType last = grid.GetLast(axis, box.second[axis]) - grid.Extent[2 * axis];
+          slabs[i][2 * axis - 2] = first / slices;
+          slabs[i][2 * axis - 1] = first > last ? -1 : last / slices;
+        };
+        set(1, sizes.Rows);
+        set(2, sizes.Slices);
       });
-    for (const auto& [first, last] : InTurn(slabs))
+    const auto forSlabs = [&](vtkIdType i, const auto& act)
     {
-      for (int s = first; s <= last; ++s)
+      for (vtkIdType layer = slabs[i][2]; layer <= slabs[i][3]; ++layer)
       {
-        ++this->Starts[s + 1];
+        for (vtkIdType strip = slabs[i][0]; strip <= slabs[i][1]; ++strip)
+        {
+          act(layer * sizes.Strips + strip);
+        }
       }
+    };
+    for (const vtkIdType i : InTurn(size))
+    {
+      forSlabs(i, [this](vtkIdType s) { ++this->Starts[s + 1]; });
     }
     for (std::size_t s = 1; s < this->Starts.size(); ++s)
     {
@@ -90,10 +145,7 @@ public:
     std::vector<vtkIdType> next(this->Starts.begin(), this->Starts.end() - 1);
     for (const vtkIdType i : InTurn(size))
     {
-      for (int s = slabs[i].first; s <= slabs[i].second; ++s)
-      {
-        this->Numbers[next[s]++] = i;
-      }
+      forSlabs(i, [&](vtkIdType s) { this->Numbers[next[s]++] = i; });
     }
   }
 
@@ -117,14 +169,6 @@ struct ListedPiece
   std::size_t Mesh;
   const QuadraticPiece* Piece;
 };
-
-/// Samples of some slices.
-inline vtkIdType CountSamplesOf(const SampleGrid& grid, const std::pair<int, int>& slices)
-{
-  const auto& extent = grid.Extent;
-  return vtkIdType(slices.second - slices.first) * (extent[1] - extent[0] + 1) *
-    (extent[3] - extent[2] + 1);
-}
 
 /// All pieces of a dimension.
 inline std::vector<ListedPiece> ListPieces(const std::vector<SampledMesh>& meshes, int dimension)
@@ -169,18 +213,23 @@ inline Place Blend(
   return sum;
 }
 
-/// From where to where a piece reaches along the third axis, and `more` on both sides.
-inline std::pair<double, double> FindReach(
+/// The box around a piece, and `more` on all sides.
+inline std::pair<Place, Place> FindReach(
   const std::array<Place, 10>& nodes, int dimension, double more)
 {
-  std::pair<double, double> reach(nodes[0][2], nodes[0][2]);
-  for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
-  {
-    reach.first = std::min(reach.first, nodes[n][2]);
-    reach.second = std::max(reach.second, nodes[n][2]);
-  }
   more += FindBend(nodes, dimension);
-  return { reach.first - more, reach.second + more };
+  std::pair<Place, Place> reach(nodes[0], nodes[0]);
+  for (int x = 0; x < 3; ++x)
+  {
+    for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
+    {
+      reach.first[x] = std::min(reach.first[x], nodes[n][x]);
+      reach.second[x] = std::max(reach.second[x], nodes[n][x]);
+    }
+    reach.first[x] -= more;
+    reach.second[x] += more;
+  }
+  return reach;
 }
 
 /// How far the nodes of a piece are away from the first one along an axis at most, in units of
@@ -274,22 +323,22 @@ inline std::pair<Place, Place> FindBox(const StraightPart& part, int dimension, 
   return box;
 }
 
-/// Calls visit(i, j, k, number in the slab, part, nearest) for the samples of some slices in boxes
+/// Calls visit(i, j, k, number in the slab, part, nearest) for the samples of a slab in boxes
 /// around the straight parts of a piece.
 template <typename Visit>
-void ForSamplesNear(const SampleGrid& grid, const std::pair<int, int>& slices,
-  const std::array<Place, 10>& nodes, int dimension, int halvings, double reach, const Visit& visit)
+void ForSamplesNear(const SampleGrid& slab, const std::array<Place, 10>& nodes, int dimension,
+  int halvings, double reach, const Visit& visit)
 {
   ForStraightParts(nodes, dimension, halvings,
     [&](const StraightPart& part)
     {
       const auto box = FindBox(part, dimension, { reach, reach, reach });
-      ForSamplesIn(grid, slices, box.first, box.second,
+      ForSamplesIn(slab, box.first, box.second,
         [&](int i, int j, int k, vtkIdType sample)
         {
           visit(i, j, k, sample, part,
             FindNearest(part.Corners.data(), dimension + 1,
-              { grid.GetPlace(0, i), grid.GetPlace(1, j), grid.GetPlace(2, k) }));
+              { slab.GetPlace(0, i), slab.GetPlace(1, j), slab.GetPlace(2, k) }));
         });
     });
 }

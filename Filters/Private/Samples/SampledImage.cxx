@@ -96,12 +96,18 @@ public:
   void Run()
   {
     // Half a voxel more: places in voxels are around samples.
-    const double more = this->Mixed ? this->Grid.Spacing[2] / 2. : 0.;
+    const double part = this->Mixed ? 0.5 : 0.;
     const SlabLists lists(this->Grid, static_cast<vtkIdType>(this->Solids.size()),
       [&](vtkIdType i)
       {
         const TetrahedronSamples samples = this->Prepare(this->Solids[i]);
-        return std::make_pair(samples.GetLow()[2] - more, samples.GetHigh()[2] + more);
+        std::pair<Place, Place> box(samples.GetLow(), samples.GetHigh());
+        for (int x = 0; x < 3; ++x)
+        {
+          box.first[x] -= part * this->Grid.Spacing[x];
+          box.second[x] += part * this->Grid.Spacing[x];
+        }
+        return box;
       });
     const vtkIdType slabs = CountSlabs(this->Grid);
     const vtkIdType atOnce = 2 * vtkSMPTools::GetEstimatedNumberOfThreads();
@@ -231,11 +237,11 @@ private:
     }
   }
 
-  void SampleSlab(vtkIdType slab, const SlabLists& lists)
+  void SampleSlab(vtkIdType number, const SlabLists& lists)
   {
     if (this->Thick)
     {
-      this->Thick->ForSlab(slab,
+      this->Thick->ForSlab(number,
         [this](int i, int j, int k, const ListedPiece& listed, int dimension, const Place& weights,
           double square)
         {
@@ -248,34 +254,29 @@ private:
           }
         });
     }
-    lists.ForNumbers(
-      slab, [&](vtkIdType i) { this->SampleSolid(this->Solids[i], GetSlices(this->Grid, slab)); });
-    const auto slices = GetSlices(this->Grid, slab);
-    const int left = this->Grid.Extent[0];
-    const int lower = this->Grid.Extent[2];
-    char* const begin = this->Mask + this->GetSample(left, lower, slices.first);
-    char* const end = this->Mask + this->GetSample(left, lower, slices.second);
+    const SampleGrid slab = GetSlab(this->Grid, number);
+    lists.ForNumbers(number, [&](vtkIdType i) { this->SampleSolid(this->Solids[i], slab); });
     if (this->Mixed)
     {
       this->Mixed->CoverSlab(
-        slab, this->Solids, lists, this->Mask, [this](vtkIdType sample)
+        number, this->Solids, lists, this->Mask, [this](vtkIdType sample)
         { return this->Material ? this->Material->GetComponent(sample, 0) : 0.; }, this->Coverage);
     }
-    std::replace(begin, end, InOther, InSolid);
+    char* const begin = this->Mask + GetBegin(this->Grid, slab);
+    std::replace(begin, begin + CountSamplesOf(slab), InOther, InSolid);
     if (this->Near)
     {
-      this->Near->WriteSlab(slab, this->Distance);
+      this->Near->WriteSlab(number, this->Distance);
     }
   }
-  void SampleSolid(const ListedPiece& listed, const std::pair<int, int>& slices)
+  void SampleSolid(const ListedPiece& listed, const SampleGrid& slab)
   {
     const TetrahedronSamples samples = this->Prepare(listed);
-    const int lastK = std::min(this->Grid.GetLast(2, samples.GetHigh()[2]), slices.second - 1);
-    const int lastJ = this->Grid.GetLast(1, samples.GetHigh()[1]);
-    for (int k = std::max(this->Grid.GetFirst(2, samples.GetLow()[2]), slices.first); k <= lastK;
-      ++k)
+    const int lastK = slab.GetLast(2, samples.GetHigh()[2]);
+    const int lastJ = slab.GetLast(1, samples.GetHigh()[1]);
+    for (int k = slab.GetFirst(2, samples.GetLow()[2]); k <= lastK; ++k)
     {
-      for (int j = this->Grid.GetFirst(1, samples.GetLow()[1]); j <= lastJ; ++j)
+      for (int j = slab.GetFirst(1, samples.GetLow()[1]); j <= lastJ; ++j)
       {
         const vtkIdType row = this->GetSample(0, j, k);
         samples.ForRow(

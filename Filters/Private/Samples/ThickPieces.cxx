@@ -50,8 +50,8 @@ double ThickPieces::GetLargestRadius(const ListedPiece& listed, int dimension) c
   return this->Meshes[listed.Mesh].Thickness && dimension > 0 ? 3. * largest : largest;
 }
 
-void ThickPieces::Sample(const ListedPiece& listed, int dimension,
-  const std::pair<int, int>& slices, std::vector<double>& squares, const Act& act) const
+void ThickPieces::Sample(const ListedPiece& listed, int dimension, const SampleGrid& slab,
+  std::vector<double>& squares, const Act& act) const
 {
   const auto nodes = GetNodes(this->Meshes[listed.Mesh].Mesh, *listed.Piece, dimension);
   const auto radii = this->GetRadii(listed, dimension);
@@ -81,24 +81,23 @@ void ThickPieces::Sample(const ListedPiece& listed, int dimension,
   };
   // Each halving leaves a quarter of the bend.
   const int halvings = CountHalvings(FindBend(nodes, dimension), this->Options.Tolerance, 4.);
-  ForSamplesNear(this->Options.Grid, slices, nodes, dimension, halvings, largest, visit);
+  ForSamplesNear(slab, nodes, dimension, halvings, largest, visit);
 }
 
-void ThickPieces::ForSlab(vtkIdType slab, const Act& act) const
+void ThickPieces::ForSlab(vtkIdType number, const Act& act) const
 {
-  const SampleGrid& grid = this->Options.Grid;
-  const auto slices = GetSlices(grid, slab);
+  const SampleGrid slab = GetSlab(this->Options.Grid, number);
   std::vector<double> squares;
   for (int dimension = 0; dimension < 3; ++dimension)
   {
-    this->Lists[dimension].ForNumbers(slab,
+    this->Lists[dimension].ForNumbers(number,
       [&](vtkIdType i)
       {
         if (squares.empty())
         {
-          squares.assign(CountSamplesOf(grid, slices), std::numeric_limits<double>::infinity());
+          squares.assign(CountSamplesOf(slab), std::numeric_limits<double>::infinity());
         }
-        this->Sample(this->Pieces[dimension][i], dimension, slices, squares, act);
+        this->Sample(this->Pieces[dimension][i], dimension, slab, squares, act);
       });
     // What is taken stays: no piece of more dimensions is nearer than nothing.
     for (double& square : squares)

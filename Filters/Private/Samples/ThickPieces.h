@@ -23,13 +23,13 @@ public:
   /// its distance squared.
   /// Pieces of less dimensions come first, and take what is theirs from others.
   using Act = std::function<void(int, int, int, const ListedPiece&, int, const Place&, double)>;
-  void ForSlab(vtkIdType slab, const Act& act) const;
+  void ForSlab(vtkIdType number, const Act& act) const;
 
 private:
   /// Of the nodes of a piece, and the largest anywhere in it.
   std::array<double, 10> GetRadii(const ListedPiece& listed, int dimension) const;
   double GetLargestRadius(const ListedPiece& listed, int dimension) const;
-  void Sample(const ListedPiece& listed, int dimension, const std::pair<int, int>& slices,
+  void Sample(const ListedPiece& listed, int dimension, const SampleGrid& slab,
     std::vector<double>& squares, const Act& act) const;
 
   const std::vector<SampledMesh>& Meshes;
