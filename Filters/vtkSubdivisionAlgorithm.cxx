@@ -452,6 +452,32 @@ void vtkSubdivisionAlgorithm::ReadInterpolation(
   options.Interpolation = interpolation;
 }
 
+bool vtkSubdivisionAlgorithm::ReadChosenPoints(vtkPointSet* input, subdivision::RunOptions& options)
+{
+  vtkDataArray* chosen = nullptr;
+  if (!subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
+        { INTERPOLATION_ARRAY, nullptr, false, true }, options.Warn, options.Fail, chosen))
+  {
+    return false;
+  }
+  chosen = options.Interpolation.IsOn() ? chosen : nullptr;
+  for (vtkIdType i = 0; chosen && i < chosen->GetNumberOfTuples(); ++i)
+  {
+    const double weight = chosen->GetComponent(i, 0);
+    if (!(weight >= 0. && weight <= 1.))
+    {
+      options.Fail("The array " + std::string(chosen->GetName()) +
+        " of weights for interpolation "
+        "has the value " +
+        std::to_string(weight) + " at point " + std::to_string(i) +
+        ". Give it values from 0 (the point is free) to 1 (the limit passes through it).");
+      return false;
+    }
+  }
+  options.Interpolation.Chosen = chosen;
+  return true;
+}
+
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
   vtkDataObject* input, std::vector<std::string>& warnings)
 {
@@ -497,7 +523,8 @@ bool vtkSubdivisionAlgorithm::ReadFeatureOptions(vtkPointSet* input, subdivision
   }
   vtkDataArray* angles = nullptr;
   if (!subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
-        { ANGLE_ARRAY, nullptr, false, true }, run.Warn, run.Fail, angles))
+        { ANGLE_ARRAY, nullptr, false, true }, run.Warn, run.Fail, angles) ||
+    !this->ReadChosenPoints(input, run))
   {
     return false;
   }

@@ -75,6 +75,10 @@
  *  - 10, point array of angles of corners (property CornerAngleArray) for ModifiedBoundary, in
  *    degrees, each of all sectors at the corner. Negative or not a number: the plain rule, in the
  *    surface filters the angle that is measured. Unset: none.
+ *  - 13, point array of weights or flags (property InterpolationArray) for InterpolatePoints and
+ *    InterpolateArrays, 0 to 1: which part of the way from its smoothed place to its datum the
+ * limit of a point goes. Points of weight 0 are free: their control points and values stay as they
+ *    are. Unset: 1 everywhere.
  *
  * @par Ghosts
  * Hidden cells, cells that finer levels of AMR replace, and cells at hidden points have no effect
@@ -656,7 +660,8 @@ protected:
     PART_ARRAY,
     RULE_ARRAY,
     SHARPNESS_ARRAY,
-    ANGLE_ARRAY = 10
+    ANGLE_ARRAY = 10,
+    INTERPOLATION_ARRAY = 13
   };
   /// Sets options.Features from the options above and the arrays of `input`. Returns false, after
   /// an error (passed to Fail), if an array cannot be used.
@@ -712,6 +717,8 @@ private:
   /// Reads InterpolatePoints and the other options of it.
   void ReadInterpolation(
     subdivision::RunOptions& options, std::vector<std::string>& warnings) const;
+  /// Reads which points are interpolated. Returns false after an error.
+  bool ReadChosenPoints(vtkPointSet* input, subdivision::RunOptions& options);
   /// Makes vtkPolyData of unstructured grids.
   vtkSmartPointer<vtkDataObject> MakeSurfaces(
     vtkDataObject* input, std::vector<std::string>& warnings);

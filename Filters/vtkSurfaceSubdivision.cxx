@@ -12,6 +12,9 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+#include <string>
+
 vtkStandardNewMacro(vtkSurfaceSubdivision);
 
 vtkSurfaceSubdivision::vtkSurfaceSubdivision() = default;
@@ -104,10 +107,13 @@ int vtkSurfaceSubdivision::RequestData(
         subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
           { FLATNESS_ARRAY, nullptr, false, true }, options.Warn, options.Fail, flatness);
       options.Flatness = flatness;
+      vtkDataArray* normals = nullptr;
+      const bool areRead = isRead && this->ReadNormals(input, options, normals);
+      options.Interpolation.Normals = normals;
       this->AskForShading(options,
         options.Scheme == subdivision::SurfaceSchemeKind::Loop ||
           options.Scheme == subdivision::SurfaceSchemeKind::CatmullClark);
-      return isRead &&
+      return areRead &&
         subdivision::SubdivideSurface(
           vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
     },
@@ -116,6 +122,30 @@ int vtkSurfaceSubdivision::RequestData(
       return subdivision::AddSurfaceBounds(
         vtkPolyData::SafeDownCast(input), options, vtkPolyData::SafeDownCast(output));
     });
+}
+
+bool vtkSurfaceSubdivision::ReadNormals(
+  vtkPointSet* input, const subdivision::RunOptions& options, vtkDataArray*& normals)
+{
+  if (!subdivision::FindInputArray(this, input->GetPointData(), input->GetNumberOfPoints(),
+        { NORMAL_ARRAY, nullptr, false, true, true }, options.Warn, options.Fail, normals))
+  {
+    return false;
+  }
+  std::string fault =
+    normals && normals->GetNumberOfComponents() != 3 ? "need three components" : "";
+  for (vtkIdType i = 0; normals && fault.empty() && i < 3 * normals->GetNumberOfTuples(); ++i)
+  {
+    if (!std::isfinite(normals->GetComponent(i / 3, static_cast<int>(i % 3))))
+    {
+      fault = "are not finite at point " + std::to_string(i / 3);
+    }
+  }
+  if (!fault.empty())
+  {
+    options.Fail("Normals (array index 14) " + fault + ". Give zero vectors where they are free.");
+  }
+  return fault.empty();
 }
 
 void vtkSurfaceSubdivision::PrintSelf(ostream& os, vtkIndent indent)

@@ -86,6 +86,10 @@
  * corners with one sector (10):
  *  - 6, flatness: point array of s in [0, 1]. Negative: 0 at convex corners, at concave ones the
  *    value that makes them tangent plane continuous. Unset: none.
+ *  - 14, normals (property NormalArray): point array of vectors of any length. Control points move
+ *    along each of them, as little as possible, until the limit of its point has this normal, on
+ *    creases on the side of the first face; with InterpolatePoints the limit keeps to its points,
+ *    too. Zero: the normal is free. Not on the output of a filter that made levels. Unset: none.
  *
  * @par Arrays written
  * On request `LimitNormals`, `LimitTangent1`, `LimitTangent2` (points, 3 components),
@@ -265,8 +269,12 @@ protected:
   bool HasOriginalCellIds() const override { return this->GenerateOriginalIds || this->Places; }
   enum SurfaceArrayIndices
   {
-    FLATNESS_ARRAY = 6
+    FLATNESS_ARRAY = 6,
+    NORMAL_ARRAY = 14
   };
+  /// Reads the array of normals. Returns false after an error.
+  bool ReadNormals(
+    vtkPointSet* input, const subdivision::RunOptions& options, vtkDataArray*& normals);
   int GetLayersOfCells() const override;
   bool HasInterfaces() const override
   {

@@ -40,6 +40,19 @@ std::vector<Mesh> MakeMeshesWithSharpness()
       sharpness->InsertNextValue(mesh->GetCellType(cell) == VTK_LINE ? 2.75 : 0.);
     }
     mesh->GetCellData()->AddArray(sharpness);
+    vtkNew<vtkDoubleArray> chosen;
+    chosen->SetName("Chosen");
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName("Wanted");
+    normals->SetNumberOfComponents(3);
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+    {
+      chosen->InsertNextValue(i % 7 == 0 ? 1. : i % 7 == 1 ? 0.5 : 0.);
+      const auto x = static_cast<double>(i % 11 == 0 ? i : 0);
+      normals->InsertNextTuple3(std::sin(x), x > 0. ? 1. : 0., std::sin(2. * x));
+    }
+    mesh->GetPointData()->AddArray(chosen);
+    mesh->GetPointData()->AddArray(normals);
   }
   return meshes;
 }
@@ -59,6 +72,13 @@ struct Choice
 };
 
 const Choice Choices[] = { { "defaults", [](vtkPointSet*, subdivision::RunOptions&) {} },
+  { "some points, and normals of surfaces",
+    [](vtkPointSet* mesh, subdivision::RunOptions& o)
+    {
+      o.Interpolation.Chosen = mesh->GetPointData()->GetArray("Chosen");
+      const bool isSurface = vtkPolyData::SafeDownCast(mesh) != nullptr;
+      o.Interpolation.Normals = isSurface ? mesh->GetPointData()->GetArray("Wanted") : nullptr;
+    } },
   { "creases and sharpness",
     [](vtkPointSet* mesh, subdivision::RunOptions& o)
     {

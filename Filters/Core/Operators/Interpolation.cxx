@@ -143,14 +143,23 @@ private:
 
   int GetColumns() const { return static_cast<int>(this->Columns.size()); }
 
-  double GetFactor(vtkIdType i) const
+  double GetFactorOfField(vtkIdType i) const
   {
     const vtkIdType columns = this->GetColumns();
     const Column& column = this->Columns[i % columns];
     return column.Factors ? column.Factors[column.Fields * (i / columns)] : 1.;
   }
+  double GetPart(vtkIdType i) const
+  {
+    return this->Limits.Parts ? this->Limits.Parts[i / this->GetColumns()] : 1.;
+  }
+  /// 0 where the limit is free, too.
+  double GetFactor(vtkIdType i) const
+  {
+    return this->GetPart(i) == 0. ? 0. : this->GetFactorOfField(i);
+  }
   /// Whether the field of a column has a value in a row.
-  bool HasValue(vtkIdType i) const { return this->GetFactor(i) != 0.; }
+  bool HasValue(vtkIdType i) const { return this->GetFactorOfField(i) != 0.; }
 
   /// Where a value counts: with its component of its material.
   std::size_t GetSlot(vtkIdType i) const
@@ -277,8 +286,13 @@ private:
   void Start()
   {
     this->Multiply(this->Given);
-    ForEach(this->Residuals.size(), [&](vtkIdType i)
-      { this->Residuals[i] = this->HasValue(i) ? this->Given[i] - this->Products[i] : 0.; });
+    ForEach(this->Residuals.size(),
+      [&](vtkIdType i)
+      {
+        const bool isWanted = this->GetFactor(i) != 0.;
+        this->Residuals[i] =
+          isWanted ? this->GetPart(i) * (this->Given[i] - this->Products[i]) : 0.;
+      });
   }
 
   /// Sets the residuals after the steps.
@@ -298,7 +312,7 @@ private:
   /// Whether a shift is looked for.
   bool IsUnknown(vtkIdType i) const
   {
-    return this->HasValue(i) && std::isfinite(this->Residuals[i]);
+    return this->GetFactor(i) != 0. && std::isfinite(this->Residuals[i]);
   }
 
   /// Makes the factors for a column, unless the column before has the same ones in all parts.
@@ -392,8 +406,9 @@ private:
     {
       this->Limits.TakeOthers(this->Products.data(), this->GetColumns());
     }
-    if (std::any_of(this->Columns.begin(), this->Columns.end(),
-          [](const Column& column) { return column.Factors != nullptr; }))
+    if (this->Limits.Parts ||
+      std::any_of(this->Columns.begin(), this->Columns.end(),
+        [](const Column& column) { return column.Factors != nullptr; }))
     {
       ForEach(this->Products.size(), [&](vtkIdType i) { this->Products[i] *= this->GetFactor(i); });
     }

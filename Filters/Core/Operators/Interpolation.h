@@ -2,7 +2,8 @@
 /**
  * @file Interpolation.h
  * Control values whose limits are given values: the solution of L c = d, where L has a limit row
- * for each control vertex (Mathematics 8, Interpolation).
+ * for each control vertex (Mathematics 8, Interpolation). Where some vertices are free, only the
+ * control values of the others change, and the system has their rows and columns alone.
  *
  * The solver is Chebyshev iteration. It multiplies by L and knows two bounds of its eigenvalues. It
  * needs no inner products, so that the bits of the result depend neither on the number of threads
@@ -60,6 +61,9 @@ struct InterpolationLimits
   /// its values.
   double Tolerance = 1e-10;
   int MostProducts = 40;
+  /// For each row which part of the way from its limit to its value the limit goes; 0: its control
+  /// value stays. Null: all go the whole way.
+  const double* Parts = nullptr;
   /// Sets values in rows that this part of a mesh does not have right to the values of other parts;
   /// empty where it has all rows.
   std::function<void(double* values, int components)> TakeOthers;

@@ -5,6 +5,7 @@
 #include "Core/Memory/Loops.h"
 #include "Core/Operators/ApplyRows.h"
 #include "Core/Operators/Interpolation.h"
+#include "Core/Operators/TurnedLimits.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -260,6 +261,26 @@ private:
   std::vector<std::vector<int>> Materials;
 };
 
+/// InterpolationLimits::Parts: of points, then of centres, which follow their freest member.
+std::vector<double> ListParts(vtkDataArray* chosen, const SimplicesOfCells& cells)
+{
+  std::vector<double> parts;
+  for (const vtkIdType i : InTurn(chosen ? chosen->GetNumberOfTuples() : vtkIdType(0)))
+  {
+    parts.push_back(chosen->GetComponent(i, 0));
+  }
+  for (const vtkIdType c : InTurn(chosen ? cells.GetNumberOfCentres() : vtkIdType(0)))
+  {
+    double least = 1.;
+    for (vtkIdType k = cells.CentreOffsets[c]; k < cells.CentreOffsets[c + 1]; ++k)
+    {
+      least = std::min(least, parts[cells.CentreMembers[k]]);
+    }
+    parts.push_back(least);
+  }
+  return parts;
+}
+
 std::string DescribeMiss(
   const std::string& what, const InterpolationGroup& group, const InterpolationLimits& limits)
 {
@@ -371,15 +392,18 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
   {
     return;
   }
+  const std::vector<double> parts = ListParts(options.Chosen, this->Cells);
+  InterpolationLimits ofParts = limits;
+  ofParts.Parts = options.Chosen ? parts.data() : nullptr;
   Columns columns(sources);
   columns.SetMaterials(options, this->Cells);
-  columns.Solve(limit, limits);
+  columns.Solve(limit, ofParts);
   for (std::size_t a = 0; a < sources.size(); ++a)
   {
     const InterpolationGroup& group = columns.GetGroups()[a];
     Interpolated& array = this->ToInterpolate[a];
     array.Range = group.Range;
-    if (array.HasWeights && group.HasConverged && options.Weight == 1.)
+    if (array.HasWeights && group.HasConverged && options.Weight == 1. && !options.Chosen)
     {
       array.Given = columns.TakeGiven(a);
     }
@@ -390,6 +414,48 @@ void PointArrays::Interpolate(const PointOperator& limit, const InterpolationOpt
     }
   }
   columns.Replace(options.Weight);
+  this->Doubles = Buffer<double>();
+  this->HasMoved = true;
+}
+
+void PointArrays::TurnLimits(const SparseRows<long long>* rows, const InterpolationOptions& options,
+  const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn)
+{
+  const double* points = this->GetCoordinates();
+  const vtkIdType size = this->NumberOfPoints;
+  std::vector<double> normals(static_cast<std::size_t>(3 * size), 0.);
+  for (const vtkIdType i : InTurn(options.Normals->GetNumberOfTuples()))
+  {
+    options.Normals->GetTuple(i, normals.data() + 3 * i);
+  }
+  std::vector<double> parts = ListParts(options.Points ? options.Chosen : nullptr, this->Cells);
+  parts.resize(normals.size() / 3, options.Points ? 1. : 0.);
+  std::vector<double> shifts;
+  const WantedLimits wanted{ points, normals.data(), parts.data(), this->Input->GetLength() };
+  const TurnedLimits found = FindTurnedLimits(rows, wanted, limits, shifts);
+  if (found.NumberFlat > 0)
+  {
+    warn(std::to_string(found.NumberFlat) + " points, the first is point " +
+      std::to_string(found.FirstFlat) +
+      ", have no tangents there: the filter ignores their normals (array index 14). Give them "
+      "zero vectors.");
+  }
+  if (!found.HasConverged)
+  {
+    warn("No control points give the limit the normals (array index 14) and points that are "
+         "prescribed, or the mesh is too large to solve for them: the filter ignores the normals. "
+         "Leave points around each of them free (array index 13).");
+    normals.assign(normals.size(), 0.);
+    FindTurnedLimits(rows, wanted, limits, shifts);
+  }
+  const auto moved = MakeArray(this->Points->GetDataType(), 3, size);
+  for (const vtkIdType i : InTurn(3 * size))
+  {
+    shifts[i] = points[i] + options.Weight * shifts[i];
+  }
+  StoreDoubles(shifts.data(), moved->GetVoidPointer(0), moved->GetDataType(), 3 * size);
+  CopyLooks(this->Points, moved);
+  this->Points = moved;
   this->Doubles = Buffer<double>();
   this->HasMoved = true;
 }

@@ -25,6 +25,8 @@ namespace subdivision
 {
 
 struct InterpolationLimits;
+template <typename Id>
+struct SparseRows;
 
 struct PointArrayOptions
 {
@@ -62,12 +64,17 @@ struct InterpolationOptions
   /// materials there are.
   std::vector<int> Materials = {};
   int NumberOfMaterials = 1;
+  /// For each point of the input which part of the way from the smoothed limit to the given value
+  /// its limit goes; 0: it is free. Null: all go the whole way.
+  vtkSmartPointer<vtkDataArray> Chosen = {};
+  /// For each point the normal of its limit; zero: it is free. Null: all are free.
+  vtkSmartPointer<vtkDataArray> Normals = {};
 
-  bool IsOn() const { return (this->Points || this->Arrays) && this->Weight > 0.; }
+  bool IsOn() const { return (this->Points || this->Arrays || this->Normals) && this->Weight > 0.; }
   /// The numbers for a stamp.
   std::vector<vtkIdType> GetNumbers() const
   {
-    return { (this->Points ? 1 : 0) + (this->Arrays ? 2 : 0) };
+    return { (this->Points || this->Normals ? 1 : 0) + (this->Arrays ? 2 : 0) };
   }
 };
 
@@ -146,6 +153,10 @@ public:
   /// `limits` knows other parts of the mesh, all call this together.
   /// `warn` gets messages on arrays that cannot be used, or for which the solver does not converge.
   void Interpolate(const PointOperator& limit, const InterpolationOptions& options,
+    const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn);
+  /// Moves control points so that limits have the normals of the options, and, with Points, pass
+  /// through the chosen points. `rows`: of the limits, and of their two tangents.
+  void TurnLimits(const SparseRows<long long>* rows, const InterpolationOptions& options,
     const InterpolationLimits& limits, const std::function<void(const std::string&)>& warn);
   /// The current values of a point array of the input; null if it is not smoothed.
   vtkDataArray* FindCurrent(vtkAbstractArray* given) const;

@@ -3,7 +3,10 @@
 #include "Private/Surface/SurfaceRun.h"
 
 #include "Core/Memory/Ids.h"
+#include "Core/Operators/MatrixFactors.h"
 #include "Private/Values/SharedInterpolation.h"
+
+#include <algorithm>
 
 namespace subdivision
 {
@@ -65,6 +68,21 @@ void SurfaceRun<Id>::Interpolate()
     InterpolationOptions options = this->Options.Interpolation;
     options.Points = options.Points && points;
     options.Arrays = options.Arrays && arrays;
+    if (options.Normals && points)
+    {
+      const LimitKind kinds[3] = { LimitKind::Position, LimitKind::Tangent1, LimitKind::Tangent2 };
+      SparseRows<long long> rows[3];
+      std::transform(kinds, kinds + 3, rows,
+        [&control](LimitKind kind)
+        {
+          MatrixFactors factors;
+          factors.Append(control.GetLimit(kind));
+          return factors.Multiply();
+        });
+      this->Points->TurnLimits(rows, options, limits, this->Options.Warn);
+      options.Points = false; // they are interpolated, too
+    }
+    options.Normals = nullptr;
     if (options.IsOn())
     {
       this->Points->Interpolate(

@@ -13,6 +13,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <limits>
+
 namespace subdivision
 {
 
@@ -25,7 +27,9 @@ bool UniformRun::Interpolates() const
 double UniformRun::GetPointsWeight() const
 {
   const InterpolationOptions& options = this->Options.Interpolation;
-  return this->Solves && options.Points ? options.Weight : 0.;
+  const double weight = this->Solves && options.Points ? options.Weight : 0.;
+  // Which points are chosen is not kept: a number that equals none stands for them.
+  return weight > 0. && options.Chosen ? std::numeric_limits<double>::quiet_NaN() : weight;
 }
 
 /// Decides, with all partitions, whether they solve for control points, and whether the points of
