@@ -143,7 +143,8 @@ int vtkSubdivisionDeformation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   subdivision::DeformationOptions options;
-  options.Levels = this->NumberOfLevels;
+  options.OnLimit = this->Embedding == LIMIT;
+  options.Levels = options.OnLimit ? 0 : this->NumberOfLevels;
   options.KeepsCellTypes = this->VolumeScheme == HYBRID;
   options.Scheme =
     subdivision::GetVolumeScheme(options.KeepsCellTypes ? BOX_SPLINE : this->VolumeScheme);
@@ -280,6 +281,7 @@ void vtkSubdivisionDeformation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLevels: " << this->NumberOfLevels << "\n";
   os << indent << "VolumeScheme: " << this->VolumeScheme << "\n";
   os << indent << "SurfaceScheme: " << this->SurfaceScheme << "\n";
+  os << indent << "Embedding: " << this->Embedding << "\n";
   os << indent << "OutsidePoints: " << this->OutsidePoints << "\n";
   os << indent << "TransformVectors: " << this->TransformVectors << "\n";
   os << indent << "Bytes kept: " << this->Work->GetMemorySize() << "\n";

@@ -167,6 +167,26 @@ public:
   void SetSurfaceSchemeToCatmullClark() { this->SetSurfaceScheme(CATMULL_CLARK); }
   ///@}
 
+  enum Embeddings
+  {
+    CELLS_OF_LEVEL,
+    LIMIT
+  };
+  ///@{
+  /**
+   * To what points are bound: CELLS_OF_LEVEL (0, the default) or LIMIT (1). With LIMIT each point
+   * has a place on the limit of the rest mesh, and moves to the same place on the limit of the
+   * deformed mesh: the deformation is as smooth as the scheme, for the box spline with two
+   * continuous derivatives, and NumberOfLevels is not read. Vectors get the derivatives of this
+   * map. The first execution searches for the places, as vtkSubdivisionLimitProbe does, which takes
+   * much longer; later ones are one product.
+   */
+  vtkSetClampMacro(Embedding, int, CELLS_OF_LEVEL, LIMIT);
+  vtkGetMacro(Embedding, int);
+  void SetEmbeddingToCellsOfLevel() { this->SetEmbedding(CELLS_OF_LEVEL); }
+  void SetEmbeddingToLimit() { this->SetEmbedding(LIMIT); }
+  ///@}
+
   enum OutsidePointsRules
   {
     OUTSIDE_LEAVE,
@@ -229,6 +249,7 @@ protected:
   int NumberOfLevels = 2;
   int VolumeScheme = BOX_SPLINE;
   int SurfaceScheme = LOOP;
+  int Embedding = CELLS_OF_LEVEL;
   int OutsidePoints = OUTSIDE_LEAVE;
   bool TransformVectors = true;
 

@@ -54,7 +54,7 @@ std::string DescribeOutside(const EmbeddedPoints& embedded)
 {
   const auto outside = static_cast<vtkIdType>(embedded.Outside.size());
   std::string text = std::to_string(outside) + " of " +
-    std::to_string(embedded.Rows.GetNumberOfRows()) + " points, the first is point " +
+    std::to_string(embedded.GetNumberOfPoints()) + " points, the first is point " +
     std::to_string(embedded.Outside[0]) + ", are not inside the subdivided rest mesh";
   if (embedded.NumberNotFinite > 0)
   {
@@ -107,6 +107,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   const auto given = Contiguous(points);
   const auto control = this->Rest.MoveControlPoints(deformed);
   const int type = ChooseType(points, options.OutputPointsPrecision);
+  const bool hasVectors = options.TransformVectors && HasVectors(input);
   // Most often the points are known, and are moved while that is found out.
   EmbeddedPoints* embedded = this->GuessEmbedded(given, options);
   const double* moved = embedded ? this->Rest.MovePoints(control) : nullptr;
@@ -117,7 +118,7 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   }
   else
   {
-    embedded = this->FindEmbedded(given, options);
+    embedded = this->FindEmbedded(given, hasVectors && options.OnLimit, options);
     moved = nullptr;
   }
   if (!embedded)
@@ -125,15 +126,14 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
     return false;
   }
   this->Rest.WarnOfInvertedCells(control, options);
-  const bool hasVectors = options.TransformVectors && HasVectors(input);
-  if (!moved && (hasVectors || embedded->Composed.GetNumberOfRows() == 0))
+  const auto* movedControl = static_cast<const double*>(control->GetVoidPointer(0));
+  if (!moved && !embedded->IsOnLimit() && (hasVectors || embedded->Composed.GetNumberOfRows() == 0))
   {
     moved = this->Rest.MovePoints(control);
   }
   if (!result)
   {
-    result = MoveEmbeddedPoints(
-      *embedded, static_cast<const double*>(control->GetVoidPointer(0)), moved, type);
+    result = MoveEmbeddedPoints(*embedded, movedControl, moved, type);
   }
   CopyLooks(points, result);
   vtkNew<vtkPoints> outputPoints;
@@ -142,7 +142,10 @@ bool Deformation::Deform(vtkPointSet* input, vtkPointSet* rest, vtkPointSet* def
   output->SetPoints(outputPoints);
   if (hasVectors)
   {
-    TransformVectors(ComputeJacobians(*embedded, this->Rest.GetPoints(), moved), options, output);
+    const auto jacobians = embedded->IsOnLimit()
+      ? ComputeJacobians(*embedded, this->Rest.GetControlPoints(), movedControl)
+      : ComputeJacobians(*embedded, this->Rest.GetPoints(), moved);
+    TransformVectors(jacobians, options, output);
   }
   return true;
 }
@@ -201,7 +204,8 @@ EmbeddedPoints* Deformation::GuessEmbedded(
     : this->Embedded.Find<EmbeddedPoints>(
         [&](const EmbeddedPoints& kept)
         {
-          return kept.Rule == options.Outside && kept.Composed.GetNumberOfRows() == 0 &&
+          return !options.OnLimit && !kept.IsOnLimit() && kept.Rule == options.Outside &&
+            kept.Composed.GetNumberOfRows() == 0 &&
             (kept.Outside.empty() || options.Outside != OutsideRule::Error) &&
             BeginsAs(points, kept.Print);
         });
@@ -216,22 +220,23 @@ void Deformation::Use(EmbeddedPoints& embedded)
 
 /// Finds the embedded points that are kept for equal points, or embeds the points. Returns null if
 /// points are outside and OutsidePoints makes that an error, or if they are too many.
-EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const DeformationOptions& options)
+EmbeddedPoints* Deformation::FindEmbedded(
+  vtkDataArray* points, bool slopes, const DeformationOptions& options)
 {
   Fingerprint print = ComputeFingerprint(points);
-  EmbeddedPoints* embedded = this->Embedded.Find<EmbeddedPoints>([&](const EmbeddedPoints& kept)
-    { return kept.Rule == options.Outside && kept.Print == print; });
+  EmbeddedPoints* embedded = this->Embedded.Find<EmbeddedPoints>(
+    [&](const EmbeddedPoints& kept)
+    {
+      return kept.Rule == options.Outside && kept.IsOnLimit() == options.OnLimit &&
+        (!slopes || kept.OnLimit[1].GetNumberOfRows() > 0) && kept.Print == print;
+    });
   const bool isNew = !embedded;
   if (isNew)
   {
     ++this->Embedded.NumberOfBuilds;
-    std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
+    std::unique_ptr<EmbeddedPoints> made = this->Embed(points, slopes, options);
     if (!made)
     {
-      options.Fail("More than " + std::to_string(EmbeddedPoints::MostOthers) +
-        " points are in no solid cell of the rest mesh, which is too many to find the nearest "
-        "place for each. The output is the input. Deform the object in parts, or set OutsidePoints "
-        "to Leave.");
       return nullptr;
     }
     embedded = this->Embedded.Add(std::move(made));
@@ -259,6 +264,25 @@ EmbeddedPoints* Deformation::FindEmbedded(vtkDataArray* points, const Deformatio
             "leaves those that are not finite."));
   }
   return embedded;
+}
+
+/// Embeds points anew. Null after an error.
+std::unique_ptr<EmbeddedPoints> Deformation::Embed(
+  vtkDataArray* points, bool slopes, const DeformationOptions& options)
+{
+  if (options.OnLimit)
+  {
+    return EmbedOnLimit(points, slopes, options, this->Rest);
+  }
+  std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
+  if (!made)
+  {
+    options.Fail("More than " + std::to_string(EmbeddedPoints::MostOthers) +
+      " points are in no solid cell of the rest mesh, which is too many to find the nearest "
+      "place for each. The output is the input. Deform the object in parts, or set OutsidePoints "
+      "to Leave.");
+  }
+  return made;
 }
 
 void Deformation::Clear()

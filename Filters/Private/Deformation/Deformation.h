@@ -36,7 +36,10 @@ private:
     const DeformationOptions& options, vtkPointSet* output);
   bool Prepare(vtkPointSet* rest, vtkPointSet* deformed, const DeformationOptions& options);
   EmbeddedPoints* GuessEmbedded(vtkDataArray* points, const DeformationOptions& options) const;
-  EmbeddedPoints* FindEmbedded(vtkDataArray* points, const DeformationOptions& options);
+  EmbeddedPoints* FindEmbedded(
+    vtkDataArray* points, bool slopes, const DeformationOptions& options);
+  std::unique_ptr<EmbeddedPoints> Embed(
+    vtkDataArray* points, bool slopes, const DeformationOptions& options);
   void Use(EmbeddedPoints& embedded);
 
   RestMesh Rest;

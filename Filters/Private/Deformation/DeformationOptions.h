@@ -27,6 +27,7 @@ struct DeformationOptions : RunOptions
   bool KeepsCellTypes = false;                               ///< no cell is cut; Scheme is not read
   SurfaceSchemeKind SurfaceScheme = SurfaceSchemeKind::Loop; ///< of meshes without solids
   OutsideRule Outside = OutsideRule::Leave;
+  bool OnLimit = false; ///< points are bound to places of the limit; there are no levels then
   bool TransformVectors = true;
 };
 

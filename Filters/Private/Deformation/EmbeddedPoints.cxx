@@ -9,6 +9,8 @@
 #include "Core/Solids/Location/TetFrame.h"
 #include "Private/Arrays/Arrays.h"
 
+#include "vtkMath.h"
+
 #include <cmath>
 #include <limits>
 
@@ -87,7 +89,7 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
   for (const std::size_t i : InTurn(embedded.Outside.size()))
   {
     T* point = points + 3 * embedded.Outside[i];
-    const bool isBound = !embedded.Rows.IsEmpty(embedded.Outside[i]);
+    const bool isBound = embedded.IsBound(embedded.Outside[i]);
     const double* remainder = embedded.Remainders.data() + 3 * i;
     for (int c = 0; c < 3; ++c)
     {
@@ -101,7 +103,7 @@ void AddRemainders(const EmbeddedPoints& embedded, T* points)
 template <typename Move>
 vtkSmartPointer<vtkDataArray> MakePoints(const EmbeddedPoints& embedded, int type, const Move& move)
 {
-  auto points = MakeArray(type, 3, embedded.Rows.GetNumberOfRows());
+  auto points = MakeArray(type, 3, embedded.GetNumberOfPoints());
   const auto moveAll = [&](auto* to)
   {
     move(to);
@@ -272,8 +274,13 @@ std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule ru
 vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
   const EmbeddedPoints& embedded, const double* control, const double* moved, int type)
 {
-  return MakePoints(embedded, type, [&](auto* to)
-    { moved ? embedded.Rows.Move(moved, to) : embedded.Composed.Apply(control, to, 3); });
+  return MakePoints(embedded, type,
+    [&](auto* to)
+    {
+      moved                    ? embedded.Rows.Move(moved, to)
+        : embedded.IsOnLimit() ? embedded.OnLimit[0].Apply(control, to, 3)
+                               : embedded.Composed.Apply(control, to, 3);
+    });
 }
 
 vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
@@ -290,21 +297,62 @@ vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
   return isEmbedded ? points : nullptr;
 }
 
+namespace
+{
+
+/// The matrix of the map of the limit: its derivatives by the parameters of a place times the
+/// inverse of the derivatives at rest. It stays where these are no basis, as beyond solids.
+void FindSlope(
+  const EmbeddedPoints& embedded, vtkIdType i, const double* rest, const double* moved, double* to)
+{
+  double before[3][3];
+  double after[3][3];
+  double size = 1.;
+  for (int k = 0; k < 3; ++k)
+  {
+    WeightedRows<vtkIdType> row = embedded.OnLimit[k + 1].GetRows(i, i + 1);
+    row.FirstRow = 0;
+    row.CopiesOnes = false;
+    SumRows(row, rest, before[k], 3);
+    SumRows(row, moved, after[k], 3);
+    size *= vtkMath::Norm(before[k]);
+  }
+  if (!(std::abs(vtkMath::Determinant3x3(before)) > 1e-10 * size))
+  {
+    return;
+  }
+  double inverse[3][3];
+  double transposed[3][3];
+  vtkMath::Invert3x3(before, inverse);
+  vtkMath::Multiply3x3(inverse, after, transposed);
+  for (int k = 0; k < 9; ++k)
+  {
+    to[k] = transposed[k % 3][k / 3];
+  }
+}
+
+}
+
 Buffer<double> ComputeJacobians(
   const EmbeddedPoints& embedded, const double* rest, const double* moved)
 {
-  const vtkIdType size = embedded.Rows.GetNumberOfRows();
+  const vtkIdType size = embedded.GetNumberOfPoints();
   Buffer<double> jacobians(9 * size);
   ForEach(size,
     [&](vtkIdType i)
     {
       double* jacobian = jacobians.data() + 9 * i;
-      const CornerRow row = embedded.Rows.GetRow(i);
-      const int* ids = row.Columns;
       for (int k = 0; k < 9; ++k)
       {
         jacobian[k] = k % 4 == 0 ? 1. : 0.;
       }
+      if (embedded.IsOnLimit())
+      {
+        embedded.IsBound(i) ? FindSlope(embedded, i, rest, moved, jacobian) : void();
+        return;
+      }
+      const CornerRow row = embedded.Rows.GetRow(i);
+      const int* ids = row.Columns;
       const double* corners[4];
       for (int k = 0; k < 4; ++k)
       {

@@ -11,7 +11,10 @@
 #include "Private/Deformation/RestMesh.h"
 #include "Private/Run/KeptEntries.h"
 
+#include <array>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace subdivision
 {
@@ -30,6 +33,10 @@ struct EmbeddedPoints : KeptEntry
   /// The same rows over the control points, if they are read faster than rows and operators; else
   /// empty.
   SparseRows<int> Composed;
+  /// On the limit there are these rows over the control points alone: of the values and, where
+  /// somebody wants them, of the derivatives by the parameters of the place. Left points have none.
+  std::array<SparseRows<vtkIdType>, 4> OnLimit;
+  std::vector<char> IsLeft;
   std::vector<vtkIdType> Outside;
   std::vector<double> Remainders; ///< 3 for each point outside
   vtkIdType NumberNotFinite = 0;  ///< of the points outside
@@ -40,15 +47,31 @@ struct EmbeddedPoints : KeptEntry
   /// How many rows Rows.Others may have, which are named by int; tests change it.
   static inline vtkIdType MostOthers = std::numeric_limits<int>::max();
 
+  bool IsOnLimit() const { return this->OnLimit[0].GetNumberOfRows() > 0; }
+  vtkIdType GetNumberOfPoints() const
+  {
+    return this->IsOnLimit() ? this->OnLimit[0].GetNumberOfRows() : this->Rows.GetNumberOfRows();
+  }
+  bool IsBound(vtkIdType i) const
+  {
+    return this->IsOnLimit() ? this->IsLeft[i] == 0 : !this->Rows.IsEmpty(i);
+  }
   std::size_t GetMemorySize() const override
   {
-    return this->Rows.GetMemorySize() + this->Composed.GetMemorySize();
+    return std::accumulate(this->OnLimit.begin(), this->OnLimit.end(),
+      this->Rows.GetMemorySize() + this->Composed.GetMemorySize(),
+      [](std::size_t sum, const auto& rows) { return sum + rows.GetMemorySize(); });
   }
 };
 
 /// Embeds points. A point on a common face of cells belongs to the one with the smallest id. Null:
 /// more than MostOthers points are in no solid, and need a row of their own.
 std::unique_ptr<EmbeddedPoints> EmbedPoints(vtkDataArray* points, OutsideRule rule, RestMesh& rest);
+
+/// Embeds points by their places on the limit (LimitPoints.cxx). `slopes`: whether derivatives are
+/// wanted. Null after an error (passed to Fail).
+std::unique_ptr<EmbeddedPoints> EmbedOnLimit(
+  vtkDataArray* points, bool slopes, const DeformationOptions& options, RestMesh& rest);
 
 /// Moves the points. `control`: control points of the deformed mesh; `moved`: points of the
 /// subdivided deformed mesh, or null where there are composed rows.
@@ -60,8 +83,9 @@ vtkSmartPointer<vtkDataArray> MoveEmbeddedPoints(
 vtkSmartPointer<vtkDataArray> MoveIfEmbedded(
   const EmbeddedPoints& embedded, const double* moved, int type, vtkDataArray* given);
 
-/// For each point the Jacobian matrix (row by row) of the affine map of its cell; the identity
-/// where it has no solid cell.
+/// For each point the Jacobian matrix (row by row) of the affine map of its cell or, on the limit,
+/// of the map itself; the identity where it has no solid cell. `rest`, `moved`: the points of the
+/// subdivided mesh, on the limit the control points.
 Buffer<double> ComputeJacobians(
   const EmbeddedPoints& embedded, const double* rest, const double* moved);
 

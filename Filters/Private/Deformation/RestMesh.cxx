@@ -4,6 +4,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Arrays/PointArrays.h"
+#include "Private/Places/PlaceOutput.h"
 #include "Private/Reading/CellReader.h"
 #include "Private/Reading/CellsToSimplices.h"
 #include "Private/Reading/SolidOrientation.h"
@@ -395,9 +396,9 @@ void RestMesh::TakeCells(const SimplicesOfCells& cells)
   this->Tets = SimplexTree(this->GetPoints(), 4, this->TetCorners);
 }
 
-/// Subdivides a mesh without solids by a surface scheme.
-bool RestMesh::BuildSurface(
-  vtkPointSet* control, const RunOptions& run, const DeformationOptions& options)
+/// Subdivides a mesh without solids by a surface scheme. `places`: null, or what is wanted instead.
+bool RestMesh::BuildSurface(vtkPointSet* control, const RunOptions& run,
+  const DeformationOptions& options, const PlaceRequest* places)
 {
   vtkSmartPointer<vtkPolyData> mesh = vtkPolyData::SafeDownCast(control);
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(control))
@@ -419,11 +420,17 @@ bool RestMesh::BuildSurface(
   static_cast<RunOptions&>(surface) = run;
   surface.Scheme = options.SurfaceScheme;
   surface.Levels = options.Levels;
+  surface.Places = places;
   FeatureOptions& features = surface.Features;
   for (auto* array : { &features.Singular, &features.Material, &features.Part, &features.Rules,
          &features.Sharpness }) // from cells of `mesh`
   {
     *array = *array ? mesh->GetCellData()->GetArray((*array)->GetName()) : nullptr;
+  }
+  if (places)
+  {
+    surface.ProjectToLimit = true;
+    return SubdivideSurface(mesh, surface, places->Output);
   }
   SurfaceOperators operators;
   if (!FindSurfaceOperators(mesh, surface, operators))
@@ -442,6 +449,25 @@ bool RestMesh::BuildSurface(
       [&](vtkIdType i) { this->OtherCorners[i] = static_cast<int>(operators.Triangles[i]); });
   }
   return true;
+}
+
+bool RestMesh::FindPlaces(const PlaceRequest& request, const DeformationOptions& options)
+{
+  UniformOptions uniform;
+  static_cast<RunOptions&>(uniform) = options;
+  uniform.GenerateOriginalIds = uniform.GenerateGlobalIds = false;
+  uniform.OutputPointsPrecision = vtkAlgorithm::DOUBLE_PRECISION;
+  uniform.Warn = [](const std::string&) {}; // Build has told of the mesh
+  if (options.SurfaceScheme != SurfaceSchemeKind::Loop)
+  {
+    return this->BuildSurface(this->Kept, uniform, options, &request);
+  }
+  uniform.Levels = 0;
+  uniform.ProjectToLimit = true;
+  uniform.Places = &request;
+  uniform.KeepCellTypes = options.KeepsCellTypes;
+  uniform.Scheme = options.Scheme;
+  return SubdivideUniformly(this->Kept, uniform, nullptr);
 }
 
 vtkIdType RestMesh::GetNumberOfPoints() const

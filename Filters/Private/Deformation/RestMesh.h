@@ -13,17 +13,19 @@
 #include "Private/Deformation/DeformationOptions.h"
 #include "Private/Reading/CellsToSimplices.h"
 
+#include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
 #include <memory>
 #include <string>
 #include <vector>
 
-class vtkDataArray;
 class vtkPointSet;
 
 namespace subdivision
 {
+
+struct PlaceRequest;
 
 /// Says in a sentence where the cells of two meshes first differ; empty if they are equal.
 std::string CompareCells(vtkPointSet* rest, vtkPointSet* deformed);
@@ -60,6 +62,14 @@ public:
   /// Which triangles, lines and vertices are nearest to points. Made when first asked for.
   const SimplexTree& GetOthers();
 
+  /// Finds places of the limit at rest. Returns false after an error (passed to Fail).
+  bool FindPlaces(const PlaceRequest& request, const DeformationOptions& options);
+  /// The control points at rest, as MoveControlPoints gives them.
+  const double* GetControlPoints() const
+  {
+    return static_cast<const double*>(this->ControlPoints->GetVoidPointer(0));
+  }
+
   /// Turns rows over the subdivided mesh into rows over the control points (of MoveControlPoints).
   /// Not for level 0, which has no operators.
   SparseRows<int> Compose(const SparseRows<int>& rows) const;
@@ -75,7 +85,8 @@ private:
   bool BuildUniform(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
   bool BuildHybrid(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
   void TakeCells(const SimplicesOfCells& cells);
-  bool BuildSurface(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options);
+  bool BuildSurface(vtkPointSet* control, const RunOptions& run, const DeformationOptions& options,
+    const PlaceRequest* places = nullptr);
 
   vtkSmartPointer<vtkPointSet> Kept; ///< a copy of all that the operators depend on
   std::vector<double> Choices;

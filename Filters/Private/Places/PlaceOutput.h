@@ -37,6 +37,9 @@ struct PlaceRequest
   /// If not null, places are the ones nearest to its points, and the arrays above are not read.
   vtkDataSet* Targets = nullptr;
   bool HasDerivatives = true; ///< whether there are arrays of derivatives, normals and curvatures
+  /// If not null, gets the rows of values over the control points and, in solids with
+  /// HasDerivatives, of the three first derivatives.
+  std::array<SparseRows<vtkIdType>, 4>* Rows = nullptr;
 
   PlaceDerivatives GetDerivatives() const
   {
@@ -90,9 +93,9 @@ private:
 class AppendedRows
 {
 public:
-  /// The rows of the values.
+  /// The rows of one of PlaceParts; zeros, if it is not there.
   template <typename Id>
-  void Append(const PlaceRows<Id>& part)
+  void Append(const PlaceRows<Id>& part, int which = PlaceParts::Value)
   {
     this->NumberOfColumns = part.NumberOfColumns;
     const vtkIdType rows = part.GetNumberOfPlaces();
@@ -101,7 +104,9 @@ public:
     std::transform(part.Offsets.begin(), part.Offsets.begin() + rows, this->Offsets.Extend(rows),
       [&](Id offset) { return before + offset; });
     std::copy_n(part.Columns.begin(), entries, this->Columns.Extend(entries));
-    std::copy_n(part.Weights[PlaceParts::Value].begin(), entries, this->Weights.Extend(entries));
+    double* weights = this->Weights.Extend(entries);
+    part.HasPart(which) ? std::copy_n(part.Weights[which].begin(), entries, weights)
+                        : std::fill_n(weights, entries, 0.);
   }
   SparseRows<vtkIdType> Finish();
 

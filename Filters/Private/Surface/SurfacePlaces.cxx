@@ -325,7 +325,12 @@ bool SurfaceRun<Id>::FindPlaces(SurfaceCells&& cells, const PlaceRequest& reques
     }
     this->Points->ReusePoints(points);
   }
-  this->Points->Advance(rows.Finish(), [&origins](vtkIdType row) { return origins[row].Point; });
+  SparseRows<vtkIdType> ofValues = rows.Finish();
+  this->Points->Advance(ofValues, [&origins](vtkIdType row) { return origins[row].Point; });
+  if (request.Rows)
+  {
+    (*request.Rows)[0] = std::move(ofValues);
+  }
   this->Points->ForgetInputPoints();
   request.Output->Initialize();
   this->Points->Finish(request.Output);

@@ -12,7 +12,9 @@
 
 #include "vtkPolyData.h"
 
+#include <array>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -30,15 +32,28 @@ void WritePlaces(const PlaceRequest& request, vtkIdType size, const std::vector<
   request.Output->Initialize();
   std::optional<DerivativeArrays> derivatives;
   request.HasDerivatives ? void(derivatives.emplace(size, found)) : void();
-  AppendedRows rows;
+  std::array<AppendedRows, 4> rows;
+  const int parts = request.Rows && request.HasDerivatives ? 4 : 1;
   forRows(
     [&](vtkIdType begin, const auto& part)
     {
-      rows.Append(part);
+      for (int p = 0; p < parts; ++p)
+      {
+        rows[p].Append(part, p == 0 ? PlaceParts::Value : PlaceParts::First + p - 1);
+      }
       ForEach(derivatives ? part.GetNumberOfPlaces() : 0, [&](vtkIdType i)
         { derivatives->Set(begin + i, getDimension(begin + i), SumParts(part, i, coordinates)); });
     });
-  points.Advance(rows.Finish(), getOrigin);
+  SparseRows<vtkIdType> values = rows[0].Finish();
+  points.Advance(values, getOrigin);
+  if (request.Rows)
+  {
+    (*request.Rows)[0] = std::move(values);
+    for (int p = 1; p < parts; ++p)
+    {
+      (*request.Rows)[p] = rows[p].Finish();
+    }
+  }
   points.ForgetInputPoints();
   points.Finish(request.Output);
   FinishPlaces(missing, found, request.Targets, request.Output);
