@@ -26,11 +26,15 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkSubdivisionCageSource);
 
 namespace
 {
+
+/// Smoothing takes less than this part of a box from a cage of boxes, whatever its shape.
+constexpr double HuggedBoxes = 0.45;
 
 /// The fault of bounds after the margin was added; empty if they have a volume. `largest`: the
 /// largest coordinate that the output can hold.
@@ -57,62 +61,244 @@ std::string FindFault(const double* bounds, double largest)
   return fault;
 }
 
-vtkSmartPointer<vtkPoints> MakePoints(const int* cells, const double* bounds, int type)
+/// Calls use(i, j, k) for all of a lattice.
+template <typename Use>
+void ForAll(const int* counts, const Use& use)
+{
+  subdivision::Turns turns;
+  for (int k = 0; k < counts[2]; ++k)
+  {
+    for (int j = 0; j < counts[1]; ++j)
+    {
+      for (int i = 0; i < counts[0]; ++i, turns.Next())
+      {
+        use(i, j, k);
+      }
+    }
+  }
+}
+
+/// Numbers the points of the lattice that have cells; -1: it has none. `isKept`: of each box;
+/// empty: all are.
+std::vector<vtkIdType> NumberPoints(const int* cells, const std::vector<char>& isKept)
+{
+  const vtkIdType row = cells[0] + 1;
+  const vtkIdType layer = row * (cells[1] + 1);
+  std::vector<vtkIdType> numbers(static_cast<std::size_t>(layer * (cells[2] + 1)), -1);
+  for (std::size_t box = 0; box < isKept.size(); ++box)
+  {
+    const auto line = static_cast<vtkIdType>(box) / cells[0];
+    const vtkIdType first =
+      static_cast<vtkIdType>(box) % cells[0] + line % cells[1] * row + line / cells[1] * layer;
+    for (int corner = 0; corner < 8 && isKept[box] != 0; ++corner)
+    {
+      numbers[first + (corner & 1) + (corner >> 1 & 1) * row + (corner >> 2) * layer] = 0;
+    }
+  }
+  vtkIdType used = 0;
+  for (vtkIdType& number : subdivision::InTurn(numbers))
+  {
+    number = isKept.empty() || number == 0 ? used++ : -1;
+  }
+  return numbers;
+}
+
+vtkSmartPointer<vtkPoints> MakePoints(
+  const int* cells, const double* bounds, int type, const std::vector<vtkIdType>& numbers)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(type);
-  subdivision::Turns turns;
+  auto number = numbers.begin();
   // The last point of an axis is exactly at its end.
   const auto place = [&](int axis, int i)
   {
     const double t = static_cast<double>(i) / cells[axis];
     return (1. - t) * bounds[2 * axis] + t * bounds[2 * axis + 1];
   };
-  for (int k = 0; k <= cells[2]; ++k)
-  {
-    for (int j = 0; j <= cells[1]; ++j)
+  const int counts[3] = { cells[0] + 1, cells[1] + 1, cells[2] + 1 };
+  ForAll(counts,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i <= cells[0]; ++i, turns.Next())
+      if (*number++ >= 0)
       {
         points->InsertNextPoint(place(0, i), place(1, j), place(2, k));
       }
-    }
-  }
+    });
   return points;
 }
 
+/// Calls visit(data set) for all data sets with points.
+template <typename Visit>
+void ForEachDataSet(vtkDataObject* input, const Visit& visit)
+{
+  const auto look = [&visit](vtkDataObject* object)
+  {
+    auto* data = vtkDataSet::SafeDownCast(object);
+    data && data->GetNumberOfPoints() > 0 ? visit(data) : void();
+  };
+  if (auto* all = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
+    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
+    {
+      look(at->GetCurrentDataObject());
+    }
+  }
+  look(input);
+}
+
+/// Boxes of the lattice, of which some are kept.
+class Boxes
+{
+public:
+  explicit Boxes(const int* cells)
+    : Size{ cells[0], cells[1], cells[2] }
+    , IsKept(static_cast<std::size_t>(cells[0]) * cells[1] * cells[2], 0)
+  {
+  }
+  /// Keeps all boxes that bounds touch, which are parts of the lattice.
+  void Keep(const double* bounds)
+  {
+    int ends[6];
+    for (int i = 0; i < 6; ++i)
+    {
+      const int size = this->Size[i / 2];
+      ends[i] = static_cast<int>(std::clamp(std::floor(bounds[i] * size), 0., size - 1.));
+    }
+    for (int k = ends[4]; k <= ends[5]; ++k)
+    {
+      for (int j = ends[2]; j <= ends[3]; ++j)
+      {
+        std::fill_n(&this->At(ends[0], j, k), ends[1] - ends[0] + 1, 1);
+      }
+    }
+  }
+
+  /// Keeps boxes that others enclose: there is no way to them through faces of boxes from outside.
+  void FillCavities()
+  {
+    constexpr char outside = 2;
+    const auto isOutside = [&](int i, int j, int k)
+    {
+      return i < 0 || j < 0 || k < 0 || i >= this->Size[0] || j >= this->Size[1] ||
+        k >= this->Size[2] || this->At(i, j, k) == outside;
+    };
+    for (bool hasChanged = true; hasChanged;)
+    {
+      hasChanged = false;
+      ForAll(this->Size,
+        [&](int i, int j, int k)
+        {
+          if (this->At(i, j, k) == 0 &&
+            (isOutside(i - 1, j, k) || isOutside(i + 1, j, k) || isOutside(i, j - 1, k) ||
+              isOutside(i, j + 1, k) || isOutside(i, j, k - 1) || isOutside(i, j, k + 1)))
+          {
+            this->At(i, j, k) = outside;
+            hasChanged = true;
+          }
+        });
+    }
+    std::transform(this->IsKept.begin(), this->IsKept.end(), this->IsKept.begin(),
+      [](char kept) -> char { return kept == outside ? 0 : 1; });
+  }
+
+  /// Keeps more boxes, until the boxes around each edge and around each point are joined through
+  /// faces, and so are those that are not kept.
+  void JoinThroughFaces()
+  {
+    for (bool hasChanged = true; hasChanged;)
+    {
+      hasChanged = false;
+      for (int flat = -1; flat < 3; ++flat) // the axis of edges, then points
+      {
+        int extent[3]; // of the boxes around one
+        int count[3];
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          extent[axis] = axis == flat ? 1 : 2;
+          count[axis] = this->Size[axis] + 1 - extent[axis];
+        }
+        ForAll(count,
+          [&](int i, int j, int k)
+          {
+            std::vector<char*> around;
+            ForAll(extent,
+              [&](int x, int y, int z) { around.push_back(&this->At(i + x, j + y, k + z)); });
+            if (!AreJoined(around, 0) || !AreJoined(around, 1))
+            {
+              std::for_each(around.begin(), around.end(), [](char* box) { *box = 1; });
+              hasChanged = true;
+            }
+          });
+      }
+    }
+  }
+
+  std::vector<char>& GetKept() { return this->IsKept; }
+
+private:
+  /// Whether the boxes of 2 x 2 or 2 x 2 x 2 that have a value are joined through faces: boxes
+  /// whose numbers differ in one bit have a common face.
+  static bool AreJoined(const std::vector<char*>& around, char value)
+  {
+    unsigned all = 0;
+    for (unsigned b = 0; b < around.size(); ++b)
+    {
+      all |= *around[b] == value ? 1U << b : 0U;
+    }
+    unsigned reached = all & (~all + 1U); // the first
+    for (std::size_t round = 0; round < around.size(); ++round)
+    {
+      for (unsigned b = 0; b < around.size(); ++b)
+      {
+        for (unsigned bit = 1; (reached >> b & 1U) != 0 && bit < around.size(); bit *= 2)
+        {
+          reached |= all & 1U << (b ^ bit);
+        }
+      }
+    }
+    return reached == all;
+  }
+  char& At(int i, int j, int k)
+  {
+    return this->IsKept[(static_cast<std::size_t>(k) * this->Size[1] + j) * this->Size[0] + i];
+  }
+
+  int Size[3];
+  std::vector<char> IsKept;
+};
+
 /// Six tetrahedra for each box: one for each order in which a path along its edges may go from the
-/// first corner to the last. Odd orders are turned to make them positive.
-vtkSmartPointer<vtkCellArray> MakeCells(const int* cells)
+/// first corner to the last. Odd orders are turned to make them positive. `isKept`: of each box;
+/// empty: all are.
+vtkSmartPointer<vtkCellArray> MakeCells(
+  const int* cells, const std::vector<char>& isKept, const std::vector<vtkIdType>& numbers)
 {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 },
     { 1, 0, 2 } };
   const vtkIdType steps[3] = { 1, cells[0] + 1,
     static_cast<vtkIdType>(cells[0] + 1) * (cells[1] + 1) };
   auto tets = vtkSmartPointer<vtkCellArray>::New();
-  subdivision::Turns turns;
-  for (int k = 0; k < cells[2]; ++k)
-  {
-    for (int j = 0; j < cells[1]; ++j)
+  std::size_t box = 0;
+  ForAll(cells,
+    [&](int i, int j, int k)
     {
-      for (int i = 0; i < cells[0]; ++i, turns.Next())
+      const bool isMade = isKept.empty() || isKept[box++] != 0;
+      for (int order = 0; order < 6 && isMade; ++order)
       {
-        for (int order = 0; order < 6; ++order)
+        vtkIdType tet[4] = { i * steps[0] + j * steps[1] + k * steps[2] };
+        for (int corner = 0; corner < 3; ++corner)
         {
-          vtkIdType tet[4] = { i * steps[0] + j * steps[1] + k * steps[2] };
-          for (int corner = 0; corner < 3; ++corner)
-          {
-            tet[corner + 1] = tet[corner] + steps[orders[order][corner]];
-          }
-          if (order > 2)
-          {
-            std::swap(tet[1], tet[2]);
-          }
-          tets->InsertNextCell(4, tet);
+          tet[corner + 1] = tet[corner] + steps[orders[order][corner]];
         }
+        if (order > 2)
+        {
+          std::swap(tet[1], tet[2]);
+        }
+        std::transform(tet, tet + 4, tet, [&](vtkIdType point) { return numbers[point]; });
+        tets->InsertNextCell(4, tet);
       }
-    }
-  }
+    });
   return tets;
 }
 
@@ -178,46 +364,61 @@ int vtkSubdivisionCageSource::RequestUpdateExtent(
 bool vtkSubdivisionCageSource::FindBounds(vtkDataObject* input, double* bounds) const
 {
   vtkBoundingBox box;
-  const auto add = [&box](vtkDataObject* object)
-  {
-    auto* data = vtkDataSet::SafeDownCast(object);
-    if (data && data->GetNumberOfPoints() > 0)
-    {
-      box.AddBounds(data->GetBounds());
-    }
-  };
-  if (auto* all = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    const auto at = vtkSmartPointer<vtkCompositeDataIterator>::Take(all->NewIterator());
-    for (at->InitTraversal(); !at->IsDoneWithTraversal(); at->GoToNextItem())
-    {
-      add(at->GetCurrentDataObject());
-    }
-  }
-  add(input);
+  ForEachDataSet(input, [&box](vtkDataSet* data) { box.AddBounds(data->GetBounds()); });
   // Of an empty box the ends are the largest numbers, the wrong way round.
-  double low[3];
-  double high[3];
-  box.GetMinPoint(low[0], low[1], low[2]);
-  box.GetMaxPoint(high[0], high[1], high[2]);
+  double ends[6]; // the lower ones with other signs, so that all are maxima
   for (int axis = 0; axis < 3; ++axis)
   {
-    bounds[2 * axis] = low[axis];
-    bounds[2 * axis + 1] = high[axis];
+    ends[axis] = -box.GetMinPoint()[axis];
+    ends[axis + 3] = box.GetMaxPoint()[axis];
   }
   if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
   {
-    double lowest[3];
-    double highest[3];
-    this->Controller->AllReduce(low, lowest, 3, vtkCommunicator::MIN_OP);
-    this->Controller->AllReduce(high, highest, 3, vtkCommunicator::MAX_OP);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      bounds[2 * axis] = lowest[axis];
-      bounds[2 * axis + 1] = highest[axis];
-    }
+    const std::vector<double> own(ends, ends + 6);
+    this->Controller->AllReduce(own.data(), ends, 6, vtkCommunicator::MAX_OP);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] = -ends[axis];
+    bounds[2 * axis + 1] = ends[axis + 3];
   }
   return bounds[0] <= bounds[1];
+}
+
+std::vector<char> vtkSubdivisionCageSource::FindHugged(
+  vtkDataObject* input, const double* bounds, double margin) const
+{
+  Boxes boxes(this->NumberOfCells);
+  ForEachDataSet(input,
+    [&](vtkDataSet* data)
+    {
+      const vtkIdType cells = data->GetNumberOfCells();
+      for (const vtkIdType i : subdivision::InTurn(cells + data->GetNumberOfPoints()))
+      {
+        double around[6];
+        i < cells ? data->GetCellBounds(i, around) : void();
+        bool isFinite = true;
+        for (int c = 0; c < 6; ++c)
+        {
+          const int axis = c / 2;
+          const double x = i < cells ? around[c] : data->GetPoint(i - cells)[axis];
+          const double length = bounds[2 * axis + 1] - bounds[2 * axis];
+          const double wide = margin / length + HuggedBoxes / this->NumberOfCells[axis];
+          around[c] = (x - bounds[2 * axis]) / length + (c % 2 == 0 ? -wide : wide);
+          isFinite = isFinite && std::isfinite(around[c]);
+        }
+        isFinite ? boxes.Keep(around) : void();
+      }
+    });
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    const std::vector<char> own = boxes.GetKept();
+    this->Controller->AllReduce(own.data(), boxes.GetKept().data(),
+      static_cast<vtkIdType>(own.size()), vtkCommunicator::MAX_OP);
+  }
+  boxes.FillCavities();
+  boxes.JoinThroughFaces();
+  return boxes.GetKept();
 }
 
 int vtkSubdivisionCageSource::RequestData(
@@ -244,7 +445,8 @@ int vtkSubdivisionCageSource::RequestData(
     // The limit of the cage is up to 5/24 of a cell inside of it. With a quarter of a new cell on
     // each side n cells are as long as the box and half a cell.
     const double length = bounds[2 * axis + 1] - bounds[2 * axis] + 2. * margin;
-    const double shrinking = input ? length / (4. * this->NumberOfCells[axis] - 2.) : 0.;
+    const double boxes = input ? (this->Hug ? HuggedBoxes : 0.25) : 0.;
+    const double shrinking = boxes * length / (this->NumberOfCells[axis] - 2. * boxes);
     bounds[2 * axis] -= margin + shrinking;
     bounds[2 * axis + 1] += margin + shrinking;
   }
@@ -256,28 +458,37 @@ int vtkSubdivisionCageSource::RequestData(
     subdivision::Fail(this, fault);
     return 1;
   }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
-  {
-    return 1; // the first piece is the whole cage
-  }
   auto* output = vtkUnstructuredGrid::GetData(outputVector);
   subdivision::FilterTraits traits;
   traits.Memory = "so many boxes. Make NumberOfCells smaller.";
   subdivision::RunOptions options;
   bool failed = false;
   subdivision::ConnectToFilter(this, options, failed);
+  std::vector<char> hugged; // by all ranks together
+  const bool isHugged = !this->Hug || !input ||
+    subdivision::DoWork(traits, options,
+      [&]
+      {
+        hugged = this->FindHugged(input, bounds, margin);
+        return true;
+      });
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
+  {
+    return 1; // the first piece is the whole cage
+  }
   const auto make = [&]
   {
-    output->SetPoints(MakePoints(this->NumberOfCells, bounds, type));
+    const std::vector<vtkIdType> numbers = NumberPoints(this->NumberOfCells, hugged);
+    output->SetPoints(MakePoints(this->NumberOfCells, bounds, type, numbers));
     if (options.Progress(0.2))
     {
       return false;
     }
-    output->SetCells(VTK_TETRA, MakeCells(this->NumberOfCells));
+    output->SetCells(VTK_TETRA, MakeCells(this->NumberOfCells, hugged, numbers));
     return true;
   };
-  if (!subdivision::DoWork(traits, options, make))
+  if (!isHugged || !subdivision::DoWork(traits, options, make))
   {
     output->Initialize();
   }
@@ -293,6 +504,7 @@ void vtkSubdivisionCageSource::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bounds: " << b[0] << " " << b[1] << " " << b[2] << " " << b[3] << " " << b[4]
      << " " << b[5] << "\n";
   os << indent << "Margin: " << this->Margin << "\n";
+  os << indent << "Hug: " << this->Hug << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "Controller: " << this->Controller.Get() << "\n";
 }

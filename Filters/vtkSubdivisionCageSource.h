@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkSubdivisionCageSource
- * @brief   a box of tetrahedra, the control mesh of a deformation
+ * @brief   a box of tetrahedra, or a cage that hugs an object: the control mesh of a deformation
  *
  * Makes a lattice of boxes in given bounds, or around an input. It is the rest mesh that
  * vtkSubdivisionDeformation needs; moved, it is the deformed mesh too. The cage is the same on each
@@ -12,6 +12,10 @@
  * Controller. The box is around all of it, and larger by a quarter of its cells on each side, as
  * smoothing makes a cage smaller: all of the input is inside of the smoothed cage, too. Bounds are
  * ignored then.
+ *
+ * With Hug the cage has only the boxes of this lattice that the object, with half a box and the
+ * margin around it, touches, the boxes that these enclose, and a few more where boxes would meet in
+ * an edge or a point alone. The object is all points of the input and the boxes around its cells.
  *
  * @par Output
  * A vtkUnstructuredGrid of VTK_TETRA cells, without arrays. Each box is split into six tetrahedra
@@ -32,6 +36,9 @@
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <vector> // for std::vector
+
+class vtkDataObject;
 class vtkMultiProcessController;
 
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkSubdivisionCageSource : public vtkUnstructuredGridAlgorithm
@@ -70,6 +77,16 @@ public:
 
   ///@{
   /**
+   * Whether the cage around an input leaves out the boxes that are away from it, see above. More
+   * boxes (NumberOfCells) follow its shape better. Off by default.
+   */
+  vtkSetMacro(Hug, bool);
+  vtkGetMacro(Hug, bool);
+  vtkBooleanMacro(Hug, bool);
+  ///@}
+
+  ///@{
+  /**
    * Precision of the output points, as in vtkAlgorithm: SINGLE_PRECISION (0) for float,
    * DOUBLE_PRECISION (1, the default) or DEFAULT_PRECISION (2) for double.
    */
@@ -101,12 +118,15 @@ protected:
   int NumberOfCells[3] = { 2, 2, 2 };
   double Bounds[6] = { 0., 1., 0., 1., 0., 1. };
   double Margin = 5.;
+  bool Hug = false;
   int OutputPointsPrecision = DOUBLE_PRECISION;
   vtkSmartPointer<vtkMultiProcessController> Controller;
 
 private:
   /// Sets the bounds of all data sets that all ranks have. Returns false if these have no points.
   bool FindBounds(vtkDataObject* input, double* bounds) const;
+  /// Which boxes of the lattice hug the input; empty: all. `margin`: in space.
+  std::vector<char> FindHugged(vtkDataObject* input, const double* bounds, double margin) const;
 
   vtkSubdivisionCageSource(const vtkSubdivisionCageSource&) = delete;
   void operator=(const vtkSubdivisionCageSource&) = delete;

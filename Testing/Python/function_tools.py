@@ -287,7 +287,7 @@ class Options(unittest.TestCase):
                             "SetCacheOperator", "SetUse32BitIds", "SetOutputPointsPrecision"}
             self.assertLessEqual(missing - without, {
                 "SetEmbeddedCells", "SetInterpolateIntegers", "SetGenerateOriginalIds", "SetGenerateGlobalIds",
-                "SetInterpolatePoints", "SetInterpolateArrays", "SetInterpolationWeight", "SetBounds",
+                "SetInterpolatePoints", "SetInterpolateArrays", "SetInterpolationWeight", "SetBounds", "SetHug",
                 "SetInterfaceValues"}, name)
 
     def test_gradients_of_measures_go_uphill(self):

@@ -39,6 +39,7 @@ NOT_OFFERED = {f"{name}.{option}" for name in SURFACES for option in ("EmbeddedC
 NOT_OFFERED |= {f"{name}.{option}" for name in ("AdaptiveSurfaceSubdivision", "SimplicialComplexTopology",
                                                 "SubdivisionDeformation", "SubdivisionSmoothness")
                 for option in ("InterpolatePoints", "InterpolateArrays", "InterpolationWeight")}
+NOT_OFFERED |= {"SubdivisionCageSource.Hug"}  # it has no input
 # Options of the mesh that comes out of their base class, where these have a table and an image.
 NOT_OFFERED |= {f"{name}.{option}" for name in ("SubdivisionMeasures", "SubdivisionSampler") for option in (
     "NumberOfLevels", "ProjectToLimit", "GenerateLimitNormals", "SmoothShading", "GenerateTangents", "GenerateErrorBounds",

@@ -43,6 +43,7 @@ HIDDEN = {"vtkSurfaceSubdivision": {"EmbeddedCells"},
           "vtkAdaptiveSurfaceSubdivision": {"EmbeddedCells", "LoopWeights", "ModifiedBoundary"},
           "vtkSimplicialComplexTopology": {"InterfaceValues", "LoopWeights", "ModifiedBoundary"},
           "vtkSubdivisionLimitProbe": {"InterfaceValues"}, "vtkSubdivisionSmoothness": {"InterfaceValues"},
+          "vtkSubdivisionCageSource": {"Hug"},  # of cage-around
           "vtkSubdivisionMeasures": NO_MESH, "vtkSubdivisionSampler": NO_MESH,
           "vtkSubdivisionDeformation": {"InterpolateIntegers", "GenerateOriginalIds", "GenerateGlobalIds",
                                         "InterfaceValues"}}

@@ -215,3 +215,115 @@ TEST(SubdivisionDeformation, WithoutMeshesThereIsOneError)
   ASSERT_EQ(heard->Errors.size(), 1u);
   EXPECT_NE(heard->Errors[0].find("DeformedMesh (input port 2)"), std::string::npos);
 }
+
+namespace
+{
+
+/// Points of two crossing tubes of random radii, which fill a part of their box.
+Grid MakeTubes(unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto draw = [&random] { return random() / 4294967296.; };
+  std::vector<Point> points;
+  const double radius = 0.02 + 0.2 * draw();
+  const double bend = 2. * draw();
+  for (int i = 0; i < 4000; ++i)
+  {
+    const double t = 2. * draw() - 1.;
+    const double a = 7. * draw();
+    const double r = radius * (1. + draw() * t);
+    i % 2 == 0 ? points.push_back({ 3. * t, bend * t * t + r * std::cos(a), r * std::sin(a) })
+               : points.push_back({ r * std::cos(a) + t * t, r * std::sin(a), 2. * t });
+  }
+  return MakeGrid(points, {});
+}
+
+/// How many pairs of boxes of a cage meet in an edge or a point alone.
+vtkIdType CountSurfaceEdgesOfOthers(vtkUnstructuredGrid* cage)
+{
+  std::map<std::set<vtkIdType>, int> faces;
+  for (const Ids& tet : GetCells(cage))
+  {
+    for (const vtkIdType left : tet)
+    {
+      std::set<vtkIdType> face(tet.begin(), tet.end());
+      face.erase(left);
+      ++faces[face];
+    }
+  }
+  std::map<std::set<vtkIdType>, int> edges;
+  for (const auto& [face, n] : faces)
+  {
+    for (const vtkIdType left : face)
+    {
+      std::set<vtkIdType> edge(face.begin(), face.end());
+      edge.erase(left);
+      edges[edge] += n == 1 ? 1 : 0;
+    }
+  }
+  return std::count_if(edges.begin(), edges.end(),
+    [](const auto& edge) { return edge.second != 0 && edge.second != 2; });
+}
+
+}
+
+/// All points are inside of the smoothed cage, which is smaller than the box, and a solid whose
+/// surface is a manifold.
+TEST(SubdivisionCageSource, HugsItsInput)
+{
+  for (unsigned seed = 0; seed < 12; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const Grid tubes = MakeTubes(seed);
+    const int n = 1 + static_cast<int>(seed);
+    vtkNew<vtkSubdivisionCageSource> source;
+    source->SetInputDataObject(0, tubes);
+    source->SetNumberOfCells(n, 1 + n / 2, n + 2);
+    source->SetMargin(0.);
+    source->HugOn();
+    const Made made = MakeCage(source);
+    ASSERT_TRUE(made.Errors.empty());
+    const int boxes = n * (1 + n / 2) * (n + 2);
+    EXPECT_TRUE(n < 6 || made.Cage->GetNumberOfCells() < 5 * boxes);
+    EXPECT_EQ(CountSurfaceEdgesOfOthers(made.Cage), 0);
+    Deformer filter;
+    filter->SetNumberOfLevels(3);
+    filter->SetOutsidePointsToError();
+    const auto same = filter.Run(tubes, made.Cage, made.Cage);
+    EXPECT_TRUE(filter.WasSilent());
+    EXPECT_LT(GetLargestError(same, tubes, [](const Point& x) { return x; }), 1e-12);
+    const auto moved = filter.Run(tubes, made.Cage, Moved(made.Cage, Affine));
+    EXPECT_LT(GetLargestError(moved, tubes, Affine), 1e-12);
+  }
+}
+
+/// A skin has an inside, too: a cage has no cavity.
+TEST(SubdivisionCageSource, FillsAHuggedSkin)
+{
+  std::vector<Point> points;
+  std::mt19937 random(3);
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double z = random() / 2147483648. - 1.;
+    const double a = 2. * vtkMath::Pi() * (random() / 4294967296.);
+    const double r = std::sqrt(1. - z * z);
+    points.push_back({ r * std::cos(a), r * std::sin(a), z });
+  }
+  vtkNew<vtkSubdivisionCageSource> source;
+  source->SetInputDataObject(0, MakeGrid(points, {}));
+  source->SetNumberOfCells(12, 12, 12);
+  source->SetMargin(0.);
+  source->HugOn();
+  const Made made = MakeCage(source);
+  double volume = 0.;
+  for (const Ids& tet : GetCells(made.Cage))
+  {
+    volume += GetSignedVolume(made.Cage, tet);
+  }
+  EXPECT_GT(volume, 4. / 3. * vtkMath::Pi());
+  EXPECT_LT(volume, 8.) << "which the box has";
+  points.assign(1, { 0., 0., std::numeric_limits<double>::quiet_NaN() });
+  points.push_back({ 0., 0., 0. });
+  source->SetInputDataObject(0, MakeGrid(points, {}));
+  EXPECT_FALSE(MakeCage(source).Cage == nullptr);
+}
