@@ -2,9 +2,11 @@
 #include "vtkRedGreenRefinement.h"
 
 #include "Private/Curved/CurvedCells.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 #include "Private/RedGreen/RedGreenRefinement.h"
 #include "Private/Run/FilterRun.h"
 
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -12,10 +14,7 @@
 
 vtkStandardNewMacro(vtkRedGreenRefinement);
 
-vtkRedGreenRefinement::vtkRedGreenRefinement()
-  : Nodes(std::make_unique<std::vector<subdivision::CurvedNodes>>())
-{
-}
+vtkRedGreenRefinement::vtkRedGreenRefinement() = default;
 vtkRedGreenRefinement::~vtkRedGreenRefinement() = default;
 
 int vtkRedGreenRefinement::RequestData(
@@ -30,11 +29,11 @@ int vtkRedGreenRefinement::RequestData(
     subdivision::Warn(this,
       "GenerateLimitNormals makes no normals with Placement = Linear: set Placement to Limit.");
   }
-  const bool isCurved = this->OutputCells != LINEAR_CELLS;
+  options.IsCurved = this->OutputCells != LINEAR_CELLS;
   options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
                                                       : subdivision::CurvedKind::Lagrange;
   options.CellOrder = this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
-  if (isCurved && !subdivision::AreNodesOnLevels(options.CellOrder))
+  if (options.IsCurved && !subdivision::AreNodesOnLevels(options.CellOrder))
   {
     subdivision::Fail(this,
       "CellOrder 3 has nodes that are no middles of others: set CellOrder to 1, 2 or 4, or take "
@@ -42,30 +41,27 @@ int vtkRedGreenRefinement::RequestData(
     vtkDataObject::GetData(outputVector)->Initialize();
     return 0;
   }
-  if (isCurved && this->SharesRanks())
-  {
-    subdivision::Warn(
-      this, "Curved cells of this filter need one process: on several ranks cells stay linear.");
-  }
-  options.Nodes = isCurved && !this->SharesRanks() ? this->Nodes.get() : nullptr;
-  this->Nodes->clear();
-  const int result = this->RunRounds(inputVector, outputVector, options, options.Criteria,
+  return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [&options](vtkPointSet* input, vtkPointSet* output)
     {
       return subdivision::RefineRedGreen(input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
-  this->Nodes->clear();
-  return result;
 }
 
 vtkSmartPointer<vtkDataObject> vtkRedGreenRefinement::Finish(vtkDataObject* made)
 {
-  if (this->Nodes->empty())
+  if (this->OutputCells == LINEAR_CELLS)
   {
     return made;
   }
+  subdivision::PartitionsOfRank ofRank(this->SharesRanks() ? this->Controller.Get() : nullptr);
+  subdivision::ExchangeOfAll ranks(ofRank);
   subdivision::CurvedOptions options;
-  options.Kept = this->Nodes.get();
+  options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
+                                                      : subdivision::CurvedKind::Lagrange;
+  options.Order = this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
+  options.AreMade = true;
+  options.Ranks = &ranks;
   options.Warn = [this](const std::string& text) { subdivision::Warn(this, text); };
   options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
   return subdivision::MakeCurvedCells(made, options);

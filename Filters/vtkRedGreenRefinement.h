@@ -78,14 +78,6 @@
 #include "vtkRefinementAlgorithm.h"
 #include "vtkSubdivisionObjectsModule.h" // for export macro
 
-#include <memory> // for std::unique_ptr
-#include <vector>
-
-namespace subdivision
-{
-struct CurvedNodes;
-}
-
 class VTKSUBDIVISIONOBJECTS_EXPORT vtkRedGreenRefinement : public vtkRefinementAlgorithm
 {
 public:
@@ -155,8 +147,7 @@ public:
    * repair of vtkUniformSubdivisionAlgorithm: each cell of the refined mesh becomes one, green ones
    * too, and cells that share an edge or face share its nodes. With Placement = LIMIT nodes and
    * their values are on the limit, in the middle of two others by parameters; with LINEAR cells are
-   * straight. The next filter reads their corners like any other mesh. On several ranks a warning
-   * says that cells stay linear.
+   * straight. The next filter reads their corners like any other mesh.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -181,6 +172,7 @@ protected:
   bool CanInterpolate() const override { return this->Placement == LIMIT; }
   bool HasInterfaces() const override { return true; }
   int GetLayersOfCells() const override { return this->VolumeScheme == TET_OCT ? 3 : 2; }
+  bool HasGhostLayers() const override { return this->OutputCells == LINEAR_CELLS; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   vtkSmartPointer<vtkDataObject> Finish(vtkDataObject* made) override;
@@ -192,9 +184,6 @@ protected:
   int CellOrder = 2;
 
 private:
-  /// Of the cells that this execution made.
-  std::unique_ptr<std::vector<subdivision::CurvedNodes>> Nodes;
-
   vtkRedGreenRefinement(const vtkRedGreenRefinement&) = delete;
   void operator=(const vtkRedGreenRefinement&) = delete;
 };

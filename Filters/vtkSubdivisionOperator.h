@@ -15,6 +15,10 @@
  * This is the format CSR of scipy.sparse.csr_matrix. No column occurs twice in a row of S, and
  * columns are not sorted. The weights of a row sum to 1 but for rounding.
  *
+ * @par Prolongation
+ * ComputeProlongation fills it with one factor, from the nodes of curved cells to the nodes of the
+ * next level.
+ *
  * @par Factors
  * The filter makes one level after the other, and sums the values of a ring before it weights them.
  * S has other products and other sums, so that S times points is the output but for rounding. The
@@ -87,6 +91,7 @@ protected:
 
 private:
   friend class vtkSubdivisionAlgorithm; // which fills it
+  friend class vtkUniformSubdivisionAlgorithm;
   std::unique_ptr<subdivision::MatrixFactors> Factors;
 
   vtkSubdivisionOperator(const vtkSubdivisionOperator&) = delete;

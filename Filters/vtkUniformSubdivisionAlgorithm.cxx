@@ -3,6 +3,8 @@
 
 #include "Private/Bezier/BezierCells.h"
 #include "Private/Curved/CurvedCells.h"
+#include "Private/Curved/Prolongation.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Run/FilterRun.h"
 #include "Private/Run/KeptEntries.h"
@@ -11,7 +13,10 @@
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSubdivisionOperator.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <string>
@@ -45,6 +50,41 @@ vtkIdType vtkUniformSubdivisionAlgorithm::GetNumberOfTopologyBuilds() const
 bool vtkUniformSubdivisionAlgorithm::ComputeOperator(vtkSubdivisionOperator* result)
 {
   return this->FindOperator(result);
+}
+
+bool vtkUniformSubdivisionAlgorithm::ComputeProlongation(vtkSubdivisionOperator* result)
+{
+  *result->Factors = subdivision::MatrixFactors();
+  result->Modified();
+  const int levels = this->NumberOfLevels;
+  if (!this->WritesNodes() || levels == 0)
+  {
+    subdivision::Fail(this,
+      "A prolongation goes from the nodes of curved cells to those of the next level: set "
+      "OutputCells to Quadratic or Lagrange, with options that allow it, and NumberOfLevels to 1 "
+      "or more.");
+    return false;
+  }
+  subdivision::Prolongation found(this->GetKindOfNodes(), this->GetOrderOfNodes());
+  this->Prolongs = &found;
+  this->NumberOfLevels = levels - 1;
+  const bool isCoarse = this->RunAside();
+  this->NumberOfLevels = levels;
+  const bool isFine = isCoarse && this->RunAside();
+  this->Prolongs = nullptr;
+  if (isFine && !found.IsFound())
+  {
+    subdivision::Fail(this,
+      "The cells of level " + std::to_string(levels) + " are no parts of cells of level " +
+        std::to_string(levels - 1) +
+        ": faces that are no quads become curved cells after a level. Take one level more.");
+  }
+  if (!found.IsFound())
+  {
+    return false;
+  }
+  result->Factors->Append(std::move(found.Matrix));
+  return true;
 }
 
 bool vtkUniformSubdivisionAlgorithm::WritesBezierCells() const
@@ -89,6 +129,12 @@ vtkSmartPointer<vtkDataObject> vtkUniformSubdivisionAlgorithm::Finish(vtkDataObj
   return this->MakeCurvedCells(made, true);
 }
 
+subdivision::CurvedKind vtkUniformSubdivisionAlgorithm::GetKindOfNodes() const
+{
+  return this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
+                                              : subdivision::CurvedKind::Lagrange;
+}
+
 int vtkUniformSubdivisionAlgorithm::GetOrderOfNodes() const
 {
   return this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
@@ -100,15 +146,22 @@ vtkSmartPointer<vtkDataObject> vtkUniformSubdivisionAlgorithm::MakeCurvedCells(
   if (this->WritesNodes())
   {
     subdivision::CurvedOptions options;
-    options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
-                                                        : subdivision::CurvedKind::Lagrange;
+    options.Kind = this->GetKindOfNodes();
     options.Order = this->GetOrderOfNodes();
     options.Use32BitIds = this->Use32BitIds;
     options.Warn = [this](const std::string& text) { subdivision::Warn(this, text); };
     options.Fail = [this](const std::string& text) { subdivision::Fail(this, text); };
-    options.SharesRanks = this->SharesRanks();
+    subdivision::PartitionsOfRank ofRank(this->SharesRanks() ? this->Controller.Get() : nullptr);
+    subdivision::ExchangeOfAll ranks(ofRank);
+    options.Ranks = this->Prolongs ? nullptr : &ranks;
     options.Kept = this->EvaluatesNodes() ? this->Nodes.get() : nullptr;
-    return subdivision::MakeCurvedCells(made, options);
+    auto curved = subdivision::MakeCurvedCells(made, options);
+    if (this->Prolongs)
+    {
+      this->Prolongs->Take(vtkPointSet::SafeDownCast(made),
+        subdivision::CountStepsOfNodes(options.Order), vtkUnstructuredGrid::SafeDownCast(curved));
+    }
+    return curved;
   }
   if (!this->WritesBezierCells())
   {
@@ -223,9 +276,18 @@ bool vtkUniformSubdivisionAlgorithm::EvaluateNodes(
   {
     return false;
   }
+  vtkNew<vtkPolyData> points;
+  nodes.Points = points;
+  if (this->Prolongs) // which asks for numbers only
+  {
+    vtkNew<vtkPoints> none;
+    none->SetNumberOfPoints(places.Cells->GetNumberOfTuples());
+    points->SetPoints(none);
+    subdivision::KeepNodes(std::move(nodes), made, *this->Nodes);
+    return true;
+  }
   // The same filter goes on with its own output: the stamp has features and control values.
   subdivision::LevelOptions before = options;
-  vtkNew<vtkPolyData> points;
   subdivision::PlaceRequest request{ places.Cells, places.Parameters, points };
   request.HasDerivatives = false;
   options.Places = &request;
@@ -239,7 +301,6 @@ bool vtkUniformSubdivisionAlgorithm::EvaluateNodes(
   options.Features.Marks = subdivision::MarkOptions();
   isDone = isDone && subdivide(made, scratch);
   options = std::move(before);
-  nodes.Points = points;
   subdivision::KeepNodes(std::move(nodes), made, *this->Nodes);
   return isDone;
 }

@@ -24,6 +24,8 @@ namespace subdivision
 {
 class BezierRounds;
 class KeptEntries;
+class Prolongation;
+enum class CurvedKind;
 struct CurvedNodes;
 struct LevelOptions;
 struct PlaceRequest;
@@ -213,9 +215,9 @@ public:
    * determinant, divided by its mean; 1 for cells that are no solids) and `Valid`
    * (vtkUnsignedCharArray, 0 or 1). Where a solid is not valid, its nodes go back towards the
    * straight cell by the smallest part, in steps of 1/32, that makes it valid; nodes on the
-   * boundary go last. A warning tells how many and how far. Solids of several blocks or ranks,
-   * which share nodes, are not repaired: a warning counts them. A solid that is inside out even if
-   * it is straight is an error that names it; the output then has it, with 0 in `Valid`.
+   * boundary go last. A warning tells how many and how far. Blocks, ranks and materials that share
+   * a node move it alike. A solid that is inside out even if it is straight is an error that names
+   * it; the output then has it, with 0 in `Valid`.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -276,6 +278,16 @@ public:
    * points, and arrays have another at seams.
    */
   virtual bool ComputeOperator(vtkSubdivisionOperator* result);
+
+  /**
+   * Computes the matrix from values at the nodes of the output of one level less to values at the
+   * nodes of the output, with OutputCells = QUADRATIC_CELLS or LAGRANGE_CELLS: the prolongation of
+   * a solver on nested levels. A node lies at a place of a cell of the level before; its row has
+   * the shape functions of that cell there. So polynomials of the order of the cells, in their
+   * parameters, stay what they are; but the four cells of an octahedron are no parts of such ones.
+   * Needs an input as ComputeOperator does; it makes both outputs. Returns false after an error.
+   */
+  bool ComputeProlongation(vtkSubdivisionOperator* result);
 
   /**
    * How often this filter built topology while CacheOperator was on.
@@ -344,6 +356,7 @@ protected:
   const subdivision::PlaceRequest* Places = nullptr; ///< what EvaluateLimit wants
 
 private:
+  subdivision::CurvedKind GetKindOfNodes() const;
   int GetOrderOfNodes() const;
   void SetLevelsOfNodes(subdivision::LevelOptions& options) const;
   bool EvaluatesNodes() const { return this->WritesNodes() && this->HasNodesBetweenLevels(); }
@@ -351,7 +364,8 @@ private:
 
   std::unique_ptr<subdivision::KeptEntries> Cache;
   std::unique_ptr<subdivision::BezierRounds> Bezier;
-  int LeastLevels = 0; ///< that cells with nodes need
+  int LeastLevels = 0;                           ///< that cells with nodes need
+  subdivision::Prolongation* Prolongs = nullptr; ///< what gets the cells
   /// Of the cells that this execution made, where they are no points of levels.
   std::unique_ptr<std::vector<subdivision::CurvedNodes>> Nodes;
 

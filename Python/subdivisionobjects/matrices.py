@@ -60,12 +60,12 @@ def _read(get, number_of_columns):
     return Rows(*map(numpy_support.vtk_to_numpy, arrays), number_of_columns)
 
 
-def _compute(mesh, cells, function, options):
+def _compute(mesh, cells, function, options, compute="ComputeOperator"):
     progress = options.pop("progress", None)
     made, words = to_filter(mesh, cells, function, options)
     found = vtkSubdivisionObjects.vtkSubdivisionOperator()
     with listen_to(made, words, progress):
-        made.ComputeOperator(found)
+        getattr(made, compute)(found)
     return found
 
 
@@ -82,6 +82,20 @@ def operator_matrix(
     with its input and options.
     """
     found = _compute(mesh, cells, function, options)
+    return _read(found.GetRows, found.GetNumberOfColumns())
+
+
+def prolongation_matrix(
+    mesh: AnyMesh, cells: Optional[Cells] = None, *, function: Union[str, Callable[..., object]] = "subdivide", **options: Any
+) -> Rows:
+    """The matrix from values at the nodes of curved cells of the level before to the nodes of the output, for solvers on
+    nested levels: a row has the shape functions of the cell in which a node lies, there.
+
+        P = prolongation_matrix(points, tetrahedra, levels=2, output_cells="lagrange", cell_order=3).to_scipy()
+
+    Arguments are those of `operator_matrix`; columns are the points of `subdivide` with one level less.
+    """
+    found = _compute(mesh, cells, function, options, "ComputeProlongation")
     return _read(found.GetRows, found.GetNumberOfColumns())
 
 

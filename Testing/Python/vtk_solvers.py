@@ -74,6 +74,56 @@ def location(cell, parameters):
     return np.array(place)
 
 
+class Prolongations(unittest.TestCase):
+    def test_polynomials_stay_what_they_are(self):
+        """From the nodes of one level to those of the next, as a matrix of SciPy; cells are straight."""
+        needs("scipy")
+        points, cells = POINTS[[0, 1, 2, 4, 7]], [[0, 1, 2, 3], [1, 4, 2, 3]]
+        for levels in (1, 2):
+            for order in (0, 1, 2, 3, 4):
+                options = {"volume_scheme": "linear", "output_cells": "lagrange", "cell_order": order}
+                options = options if order else {"volume_scheme": "linear", "output_cells": "quadratic"}
+                before, after = (subdivisionobjects.subdivide(points, cells, levels=level, **options).points
+                                 for level in (levels - 1, levels))
+                step = subdivisionobjects.prolongation_matrix(points, cells, levels=levels, **options).to_scipy()
+                self.assertEqual((step.format, step.shape), ("csr", (len(after), len(before))))
+                np.testing.assert_allclose(step @ before, after, rtol=0, atol=1e-14)
+                for degree in range((order or 2) + 1):
+                    values = [(1 + at @ [1, 2, -1]) ** degree + at[:, 0] ** degree for at in (before, after)]
+                    np.testing.assert_allclose(step @ values[0], values[1], rtol=0, atol=1e-11)
+
+    def test_levels_of_a_smooth_object(self):
+        """Where nodes keep the shape of the first level its volume stays, whatever the number of levels."""
+        part = subdivisionobjects.model(model="Cylinder")
+        options = {"output_cells": "quadratic", "output_dimensions": "Tetrahedra"}
+        made = [subdivisionobjects.subdivide(part, levels=level, **options) for level in (0, 1)]
+        step = subdivisionobjects.prolongation_matrix(part, levels=1, **options)
+        self.assertEqual((len(step.offsets) - 1, step.number_of_columns), tuple(made[i].GetNumberOfPoints() for i in (1, 0)))
+        np.testing.assert_allclose(step.multiply(np.ones(step.number_of_columns)), 1, rtol=0, atol=1e-14)
+        points = points_of(made[0])
+        volumes = [volume_of(points, made[0]), volume_of(step.multiply(points), made[1])]
+        self.assertAlmostEqual(volumes[0], volumes[1], delta=1e-12 * volumes[0])
+
+    def test_errors(self):
+        with self.assertRaisesRegex(RuntimeError, "prolongation goes from the nodes of curved cells"):
+            subdivisionobjects.prolongation_matrix(POINTS, {"tetra": [[0, 1, 2, 4]]}, levels=1)
+
+
+def volume_of(points, mesh):
+    """Of quadratic tetrahedra: the determinant has degree 3, for which the rule with the centre and four more places is exact."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(vtkPoints())
+    grid.GetPoints().SetNumberOfPoints(10)
+    grid.InsertNextCell(24, 10, list(range(10)))
+    total, slopes, cells = 0., [0.] * 30, vtk_to_numpy(mesh.GetCells().GetConnectivityArray()).reshape(-1, 10)
+    places = [([0.25] * 3, -2 / 15)] + [([0.5 if i == k else 1 / 6 for i in range(3)], 3 / 40) for k in range(4)]
+    for at, weight in places:
+        grid.GetCell(0).InterpolateDerivs(at, slopes)
+        jacobians = np.einsum("dn,cnk->cdk", np.reshape(slopes, (3, 10)), points[cells])
+        total += weight * np.linalg.det(jacobians).sum()
+    return total
+
+
 QUADRATIC = [(24, 10), (25, 20), (26, 15), (22, 6), (23, 8), (21, 3), (10, 4), (12, 8), (13, 6), (5, 3), (9, 4), (3, 2)]
 LAGRANGE = [(kind, solvers.NODES[shape](order)) for kind, (shape, _) in solvers.SHAPES.items() if kind > 67
             for order in range(1, len(solvers.GMSH[shape]) + 1)]

@@ -7,6 +7,7 @@
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Curved/CurvedMesh.h"
+#include "Private/Reading/CellReader.h"
 #include "Private/Reading/ReadableMesh.h"
 #include "Private/Roots/SplitRoots.h"
 
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 
 namespace subdivision
 {
@@ -51,22 +53,45 @@ void GatherData(vtkDataSetAttributes* from, const std::vector<vtkIdType>& source
 class CurvedWriter
 {
 public:
-  CurvedWriter(vtkPointSet* mesh, bool isWhole, const CurvedOptions& options)
+  CurvedWriter(vtkPointSet* mesh, unsigned int block, const CurvedOptions& options)
     : From(mesh)
-    , IsWhole(isWhole)
     , Options(options)
     , PointsFrom(mesh)
   {
+    this->Part.Block = block;
   }
   vtkSmartPointer<vtkUnstructuredGrid> Write()
   {
-    if (this->From->GetPoints() && (this->Options.Kept ? this->TakeKept() : this->FindRoots()))
+    if (this->From->GetPoints() &&
+      (this->Options.Kept         ? this->TakeKept()
+          : this->Options.AreMade ? this->TakeMade()
+                                  : this->FindRoots()))
     {
       this->WritePoints();
       this->WriteCells();
-      this->WriteProof();
+      this->Part.Points = this->Output->GetPoints()->GetData();
     }
     return this->Output;
+  }
+  /// The part to be proved, with points if there is one.
+  CurvedPart& GetPart() { return this->Part; }
+  void WriteProof()
+  {
+    if (this->Part.Points != this->Output->GetPoints()->GetData()) // which the level has, too
+    {
+      vtkNew<vtkPoints> moved;
+      moved->SetData(this->Part.Points);
+      this->Output->SetPoints(moved);
+    }
+    const auto add = [this](const auto& values, auto* array, const char* name)
+    {
+      array->SetName(name);
+      Allocate(array, 1, this->Mesh.GetNumberOfCells());
+      std::copy(values.begin(), values.end(), array->GetPointer(0));
+      this->Output->GetCellData()->AddArray(array);
+    };
+    add(this->Part.Proof.Scaled, vtkNew<vtkDoubleArray>().Get(), "ScaledJacobian");
+    add(this->Part.Proof.Valid, vtkNew<vtkUnsignedCharArray>().Get(), "Valid");
   }
 
 private:
@@ -106,6 +131,32 @@ private:
     return true;
   }
 
+  /// Takes cells that are curved.
+  bool TakeMade()
+  {
+    std::array<const CurvedShape*, 256> shapes{};
+    for (int s = 0; s < NumberOfShapes; ++s)
+    {
+      const CurvedShape* shape =
+        CurvedShape::Get(static_cast<CellShape>(s), this->Options.Kind, this->Options.Order);
+      shape ? void(shapes[static_cast<std::size_t>(shape->CellType)] = shape) : void();
+    }
+    const CellReader cells(this->From);
+    const vtkIdType size = this->From->GetNumberOfCells();
+    for (const vtkIdType c : InTurn(size))
+    {
+      this->Mesh.Shapes.push_back(shapes[static_cast<std::size_t>(this->From->GetCellType(c))]);
+      this->Sources.push_back(c);
+    }
+    this->AddNodes(
+      [&](vtkIdType c, vtkIdType* to)
+      {
+        std::vector<vtkIdType> scratch;
+        const CellIds cell = cells.GetCell(c, scratch);
+        std::copy_n(cell.Ids, cell.Size, to);
+      });
+    return size > 0;
+  }
   /// Finds the cells of the level and their nodes. Returns false after an error.
   bool FindRoots()
   {
@@ -276,36 +327,14 @@ private:
     }
     GatherData(this->From->GetCellData(), this->Sources, left, this->Output->GetCellData());
   }
-  void WriteProof()
-  {
-    vtkSmartPointer<vtkDataArray> points = this->Output->GetPoints()->GetData();
-    const CurvedProof proof =
-      ProveAndRepair(this->Mesh, this->IsWhole, points, this->Options.Warn, this->Options.Fail);
-    if (points != this->Output->GetPoints()->GetData()) // which the level has, too
-    {
-      vtkNew<vtkPoints> moved;
-      moved->SetData(points);
-      this->Output->SetPoints(moved);
-    }
-    const auto add = [this](const auto& values, auto* array, const char* name)
-    {
-      array->SetName(name);
-      Allocate(array, 1, this->Mesh.GetNumberOfCells());
-      std::copy(values.begin(), values.end(), array->GetPointer(0));
-      this->Output->GetCellData()->AddArray(array);
-    };
-    add(proof.Scaled, vtkNew<vtkDoubleArray>().Get(), "ScaledJacobian");
-    add(proof.Valid, vtkNew<vtkUnsignedCharArray>().Get(), "Valid");
-  }
-
   vtkPointSet* From;
-  const bool IsWhole;
   const CurvedOptions& Options;
   vtkPointSet* PointsFrom;
   std::vector<vtkIdType> Sources; ///< the cell of the mesh that has a cell's data
   vtkNew<vtkIdTypeArray> Offsets;
   vtkNew<vtkIdTypeArray> Nodes;
-  CurvedMesh Mesh; ///< of these
+  CurvedPart Part;
+  CurvedMesh& Mesh = this->Part.Mesh; ///< of these
   vtkSmartPointer<vtkUnstructuredGrid> Output = vtkSmartPointer<vtkUnstructuredGrid>::New();
 };
 
@@ -313,23 +342,16 @@ private:
 
 vtkSmartPointer<vtkDataObject> MakeCurvedCells(vtkDataObject* data, const CurvedOptions& options)
 {
-  int meshes = 0;
-  ChangeMeshes(data,
-    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
-    {
-      auto* mesh = vtkPointSet::SafeDownCast(object);
-      meshes += mesh && mesh->GetNumberOfCells() > 0 ? 1 : 0;
-      return object;
-    });
-  return ChangeMeshes(data,
-    [&](vtkDataObject* object, unsigned int) -> vtkSmartPointer<vtkDataObject>
+  std::deque<CurvedWriter> writers;
+  const auto made = ChangeMeshes(data,
+    [&](vtkDataObject* object, unsigned int block) -> vtkSmartPointer<vtkDataObject>
     {
       auto* mesh = vtkPointSet::SafeDownCast(object);
       if (!mesh)
       {
         return object;
       }
-      const auto grid = CurvedWriter(mesh, !options.SharesRanks && meshes < 2, options).Write();
+      const auto grid = writers.emplace_back(mesh, block, options).Write();
       vtkFieldData* fields = mesh->GetFieldData();
       for (int a = 0; a < fields->GetNumberOfArrays(); ++a)
       {
@@ -340,6 +362,20 @@ vtkSmartPointer<vtkDataObject> MakeCurvedCells(vtkDataObject* data, const Curved
       }
       return grid;
     });
+  std::vector<CurvedPart*> parts;
+  for (CurvedWriter& writer : writers)
+  {
+    writer.GetPart().Points ? parts.push_back(&writer.GetPart()) : void();
+  }
+  if (options.Ranks)
+  {
+    ProveAndRepair(parts, *options.Ranks, options.Warn, options.Fail);
+    for (CurvedWriter& writer : writers)
+    {
+      writer.GetPart().Points ? writer.WriteProof() : void();
+    }
+  }
+  return made;
 }
 
 }

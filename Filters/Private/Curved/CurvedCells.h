@@ -19,12 +19,15 @@ class vtkDataObject;
 namespace subdivision
 {
 
+class Exchange;
+
 struct CurvedOptions
 {
   CurvedKind Kind = CurvedKind::Quadratic;
   int Order = 2;
   bool Use32BitIds = false;
-  bool SharesRanks = false; ///< others have parts of the mesh
+  Exchange* Ranks = nullptr; ///< that have parts of the mesh; null: nothing is proved
+  bool AreMade = false;      ///< cells have their nodes (SetCells)
   /// Null, or the nodes of cells that have CurvedCellName: their nodes are no points of the mesh.
   const std::vector<CurvedNodes>* Kept = nullptr;
   std::function<void(const std::string&)> Warn;
@@ -46,8 +49,8 @@ constexpr int CountStepsOfNodes(int order)
  * Each cell of the level CountStepsOfNodes before becomes one cell, whose nodes are the points that
  * divide its edges, faces and inside evenly in parameters: so nodes are shared as points are. An
  * octahedron becomes four tetrahedra around its shortest diagonal. Cells take the data of their
- * first child; points that are no nodes are left out. With `Kept` the mesh is the level itself, and
- * nodes are taken from there. Field data are shared, but for a stamp.
+ * first child; points that are no nodes are left out. With `Kept` and `AreMade` the mesh is the
+ * level itself. Field data are shared, but for a stamp. All ranks call this together.
  */
 vtkSmartPointer<vtkDataObject> MakeCurvedCells(vtkDataObject* data, const CurvedOptions& options);
 

@@ -2,15 +2,23 @@
 #include "Private/Curved/CurvedMesh.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Curved/CellJacobian.h"
 #include "Private/Curved/CurvedNodes.h"
+#include "Private/Curved/CurvedParts.h"
+#include "Private/Partitions/OtherPartitions.h"
 
 #include "vtkDataArray.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <sstream>
 #include <tuple>
 
@@ -19,42 +27,8 @@ namespace subdivision
 namespace
 {
 
-using Point = std::array<double, 3>;
+using Point = NodePoint;
 using Cells = std::vector<vtkIdType>;
-
-/// Reads points in several threads.
-class PointReader
-{
-public:
-  explicit PointReader(vtkDataArray* points)
-    : Points(points)
-    , Single(points->GetDataType() == VTK_FLOAT ? points->GetVoidPointer(0) : nullptr)
-    , Double(points->GetDataType() == VTK_DOUBLE ? points->GetVoidPointer(0) : nullptr)
-  {
-  }
-  Point Get(vtkIdType i) const
-  {
-    Point p;
-    if (this->Double)
-    {
-      std::copy_n(static_cast<const double*>(this->Double) + 3 * i, 3, p.begin());
-    }
-    else if (this->Single)
-    {
-      std::copy_n(static_cast<const float*>(this->Single) + 3 * i, 3, p.begin());
-    }
-    else
-    {
-      this->Points->GetTuple(i, p.data());
-    }
-    return p;
-  }
-
-private:
-  vtkDataArray* Points;
-  const void* Single;
-  const void* Double;
-};
 
 /// Finds bounds of cells that are added one by one, some at a time. place(cell, number, node) is
 /// where a node is; act(cell, bound) is called for solids only.
@@ -131,135 +105,60 @@ void ForBounds(
     });
 }
 
-/// The solids at each node, and nodes on the boundary: on faces of one solid only, and of other
-/// cells. Both are looked up for few nodes, next to solids that have to be repaired.
-class Surroundings
-{
-public:
-  Surroundings(const CurvedMesh& mesh, vtkIdType points)
-    : Mesh(mesh)
-    , Starts(points + 1, 0)
-    , AreOther(points, 0)
-  {
-    this->ForNodes([this](vtkIdType, vtkIdType node) { ++this->Starts[node + 1]; });
-    for (const vtkIdType node : InTurn(points))
-    {
-      this->Starts[node + 1] += this->Starts[node];
-    }
-    this->Solids.resize(this->Starts[points]);
-    Cells next(this->Starts.begin(), this->Starts.end() - 1);
-    this->ForNodes([&](vtkIdType cell, vtkIdType node) { this->Solids[next[node]++] = cell; });
-  }
-  const vtkIdType* Begin(vtkIdType node) const { return this->Solids.data() + this->Starts[node]; }
-  const vtkIdType* End(vtkIdType node) const
-  {
-    return this->Solids.data() + this->Starts[node + 1];
-  }
-  bool IsOnBoundary(vtkIdType node) const
-  {
-    return this->AreOther[node] ||
-      std::any_of(this->Begin(node), this->End(node),
-        [&](vtkIdType solid)
-        {
-          const auto& faces = this->Mesh.Shapes[solid]->Faces;
-          const vtkIdType* nodes = this->Mesh.GetNodes(solid);
-          return std::any_of(faces.begin(), faces.end(),
-            [&](const CurvedShape::Face& face)
-            {
-              return std::any_of(face.Nodes.begin(), face.Nodes.end(),
-                       [&](int n) { return nodes[n] == node; }) &&
-                this->IsOpen(solid, face);
-            });
-        });
-  }
-
-private:
-  /// act(cell, node) for all solids; nodes of other cells are on the boundary.
-  template <typename Act>
-  void ForNodes(const Act& act)
-  {
-    for (const vtkIdType c : InTurn(this->Mesh.GetNumberOfCells()))
-    {
-      const CurvedShape& shape = *this->Mesh.Shapes[c];
-      const vtkIdType* nodes = this->Mesh.GetNodes(c);
-      for (int n = 0; n < shape.GetNumberOfNodes(); ++n)
-      {
-        shape.Jacobian ? act(c, nodes[n]) : void(this->AreOther[nodes[n]] = 1);
-      }
-    }
-  }
-  /// Whether no other solid has all corners of a face.
-  bool IsOpen(vtkIdType solid, const CurvedShape::Face& face) const
-  {
-    const vtkIdType* nodes = this->Mesh.GetNodes(solid);
-    const auto hasAll = [&](vtkIdType other)
-    {
-      const vtkIdType* begin = this->Mesh.GetNodes(other);
-      const vtkIdType* end = begin + GetCellTable(this->Mesh.Shapes[other]->Shape).Corners;
-      return other != solid &&
-        std::all_of(face.Nodes.begin(), face.Nodes.begin() + face.Corners,
-          [&](int corner) { return std::find(begin, end, nodes[corner]) != end; });
-    };
-    const vtkIdType first = nodes[face.Nodes[0]];
-    return std::none_of(this->Begin(first), this->End(first), hasAll);
-  }
-
-  const CurvedMesh& Mesh;
-  Cells Starts;
-  Cells Solids;
-  std::vector<unsigned char> AreOther;
-};
-
-/// Moves nodes of solids that are not valid.
+/// Moves nodes of solids that are not valid. All ranks do the same steps: each has its own cells,
+/// and all tell one another which nodes move.
 class Repair
 {
 public:
-  /// `invalid`: the cells, in ascending order.
-  Repair(const CurvedMesh& mesh, vtkDataArray* given, vtkDataArray* points, const Cells& invalid,
-    CurvedProof& proof)
-    : Mesh(mesh)
-    , Points(points)
-    , Given(given)
-    , At(points)
-    , Around(mesh, points->GetNumberOfTuples())
-    , Shares(points->GetNumberOfTuples(), 1.)
-    , OnBoundary(points->GetNumberOfTuples(), Unknown)
-    , All(invalid)
-    , Proof(proof)
+  Repair(const std::vector<CurvedPart*>& parts, Exchange& ranks)
+    : Parts(parts)
+    , Ranks(ranks)
+    , Joined(parts)
+    , Mesh(this->Joined.Mesh)
+    , Given(this->Joined.Points)
+    , At(this->Given)
+    , Around(this->Mesh, static_cast<vtkIdType>(this->At.size()))
+    , Shares(this->At.size(), 1.)
+    , OnBoundary(this->At.size(), Unknown)
+    , Proof(this->Joined.Proof)
   {
   }
 
-  void Mend(vtkIdType solids, const std::function<void(const std::string&)>& warn,
+  void Mend(const std::function<void(const std::string&)>& warn,
     const std::function<void(const std::string&)>& fail)
   {
-    Cells invalid = this->All;
+    vtkIdType solids = 0;
+    Cells invalid;
+    for (const vtkIdType c : InTurn(this->Mesh.GetNumberOfCells()))
+    {
+      solids += this->Mesh.Shapes[c]->Jacobian ? 1 : 0;
+      this->Proof.Valid[c] ? void() : invalid.push_back(c);
+    }
+    const std::string were = this->DescribeInvalid(solids, " curved solids were not valid");
     this->LeaveOutHopeless(invalid);
     for (const bool movesBoundary : { false, true })
     {
       this->MendAll(invalid, movesBoundary);
     }
-    std::ostringstream text;
-    if (this->LargestMove > 0.)
+    // A node of a neighbour that moved may have turned more of these than there were.
+    const std::string are =
+      this->DescribeInvalid(solids, " curved solids are inside out even with straight edges");
+    const bool tells = this->Ranks.GetPartition() == 0;
+    if (this->LargestMove > 0. && tells)
     {
-      text << this->All.size() << " of " << solids
-           << " curved solids were not valid, the first is cell " << this->All[0]
-           << ": nodes of them went back towards the straight cells, by " << this->LargestMove
+      std::ostringstream text;
+      text << were << ": nodes of them went back towards the straight cells, by "
+           << this->LargestMove
            << " at most. The control mesh is coarse there: take more levels, or make it finer.";
       warn(text.str());
     }
-    // A node of a neighbour that moved may have turned more of these than there were.
-    const std::vector<unsigned char>& valid = this->Proof.Valid;
-    const auto hopeless = std::count(valid.begin(), valid.end(), 0);
-    if (hopeless > 0)
+    if (!are.empty() && tells)
     {
-      text.str("");
-      text << hopeless << " of " << solids
-           << " curved solids are inside out even with straight edges, the first is cell "
-           << std::find(valid.begin(), valid.end(), 0) - valid.begin()
-           << ": the control mesh is too thin there, or its cells are inside out. "
-           << "Turn these, make the solids less flat, or take fewer levels.";
-      fail(text.str());
+      fail(are +
+        ": the control mesh is too thin there, or its cells are inside out. Turn these, make the "
+        "solids less flat, or take fewer levels.");
     }
+    this->WriteParts();
   }
 
 private:
@@ -271,25 +170,125 @@ private:
   };
   struct Move
   {
-    vtkIdType Node;
+    NodeKey Node;
     double Share;
     Point To;
+
+    auto GetRank() const { return std::make_tuple(this->Node, this->Share, ToBits(this->To)); }
   };
 
-  /// Looks up which nodes of cells are on the boundary.
+  /// Counts the cells of all ranks that are not valid, and names the first; empty: there are none.
+  std::string DescribeInvalid(vtkIdType solids, const char* what)
+  {
+    const auto& valid = this->Proof.Valid;
+    vtkIdType cell = std::find(valid.begin(), valid.end(), 0) - valid.begin();
+    const bool isFound = cell < static_cast<vtkIdType>(valid.size());
+    std::size_t part = 0;
+    for (; isFound && cell >= this->Parts[part]->Mesh.GetNumberOfCells(); ++part)
+    {
+      cell -= this->Parts[part]->Mesh.GetNumberOfCells();
+    }
+    const vtkIdType count = this->Ranks.Sum(std::count(valid.begin(), valid.end(), 0));
+    const vtkIdType all = this->Ranks.Sum(solids);
+    const auto cells = this->Ranks.Gather(isFound ? cell + 1 : 0);
+    const auto blocks = this->Ranks.Gather(isFound ? this->Parts[part]->Block : 0);
+    const auto rank = static_cast<std::size_t>(
+      std::find_if(cells.begin(), cells.end(), [](vtkIdType c) { return c > 0; }) - cells.begin());
+    if (rank == cells.size())
+    {
+      return "";
+    }
+    return std::to_string(count) + " of " + std::to_string(all) + what + ", the first is cell " +
+      std::to_string(cells[rank] - 1) +
+      (blocks[rank] > 0 ? " of block " + std::to_string(blocks[rank]) : "") +
+      (cells.size() > 1 ? " of rank " + std::to_string(rank) : "");
+  }
+  /// Gives the parts what they have now.
+  void WriteParts()
+  {
+    auto node = this->Joined.Firsts.begin();
+    auto valid = this->Proof.Valid.begin();
+    auto scaled = this->Proof.Scaled.begin();
+    for (CurvedPart* part : this->Parts)
+    {
+      vtkSmartPointer<vtkDataArray> moved;
+      for (const vtkIdType i : InTurn(part->Points->GetNumberOfTuples()))
+      {
+        if (this->Shares[*node] < 1.)
+        {
+          if (!moved)
+          {
+            moved = vtkSmartPointer<vtkDataArray>::Take(part->Points->NewInstance());
+            moved->DeepCopy(part->Points);
+          }
+          moved->SetTuple(i, this->At[*node].data());
+        }
+        ++node;
+      }
+      part->Points = moved ? moved : part->Points;
+      const vtkIdType size = part->Mesh.GetNumberOfCells();
+      std::copy_n(valid, size, part->Proof.Valid.begin());
+      std::copy_n(scaled, size, part->Proof.Scaled.begin());
+      valid += size;
+      scaled += size;
+    }
+  }
+
+  /// Looks up which nodes of cells are on the boundary. A face that one rank has in one solid only
+  /// is not open if another has it, too.
   void LookAround(const Cells& cells)
   {
+    std::vector<NodeKey> asked;
     for (const vtkIdType c : InTurn(cells))
     {
       const vtkIdType* nodes = this->Mesh.GetNodes(c);
       for (int n = 0; n < this->Mesh.Shapes[c]->GetNumberOfNodes(); ++n)
       {
         unsigned char& isOn = this->OnBoundary[nodes[n]];
-        if (isOn == Unknown)
-        {
-          isOn = this->Around.IsOnBoundary(nodes[n]) ? Yes : No;
-        }
+        isOn == Unknown ? asked.push_back(this->Joined.Keys[nodes[n]]) : void();
+        isOn = isOn == Unknown ? static_cast<unsigned char>(No) : isOn;
       }
+    }
+    this->Ranks.ShareWithAll(asked);
+    SortDistinct(asked);
+    // A node, who has other cells there, and the corners of a face.
+    using Sight = std::array<std::int64_t, 17>;
+    std::vector<Sight> seen;
+    for (const NodeKey& key : InTurn(asked))
+    {
+      const vtkIdType node = this->Joined.Find(key);
+      Sight sight{};
+      std::copy(key.begin(), key.end(), sight.begin());
+      if (node >= 0 && this->Around.IsOnOther(node))
+      {
+        sight[4] = 1 + this->Ranks.GetPartition();
+        seen.push_back(sight);
+        sight[4] = 0;
+      }
+      const auto add = [&](const Cells& corners)
+      {
+        std::array<Bits, 4> places{};
+        std::transform(corners.begin(), corners.end(), places.begin(),
+          [this](vtkIdType corner) { return ToBits(this->Given[corner]); });
+        std::sort(places.begin(), places.end());
+        std::memcpy(sight.data() + 5, places.data(), sizeof(places));
+        seen.push_back(sight);
+      };
+      node >= 0 ? this->Around.ForOpenFaces(node, add) : void();
+    }
+    this->Ranks.ShareWithAll(seen);
+    StableSort(seen, std::less<>());
+    for (auto begin = seen.begin(); begin != seen.end();)
+    {
+      const auto end = std::upper_bound(begin, seen.end(), *begin);
+      NodeKey key;
+      std::copy_n(begin->begin(), key.size(), key.begin());
+      const vtkIdType node = this->Joined.Find(key);
+      if (node >= 0 && end - begin == 1)
+      {
+        this->OnBoundary[node] = Yes;
+      }
+      begin = end;
     }
   }
   bool Moves(vtkIdType cell, int n, bool movesBoundary) const
@@ -303,11 +302,11 @@ private:
     const CurvedShape& shape = *this->Mesh.Shapes[cell];
     const vtkIdType* nodes = this->Mesh.GetNodes(cell);
     const auto weights = GetStraightWeights(shape, shape.Nodes[n]);
-    const Point given = this->Given.Get(nodes[n]);
+    const Point given = this->Given[nodes[n]];
     Point at{};
     for (int corner = 0; corner < GetCellTable(shape.Shape).Corners; ++corner)
     {
-      const Point p = this->Given.Get(nodes[corner]);
+      const Point p = this->Given[nodes[corner]];
       for (int k = 0; k < 3; ++k)
       {
         at[k] += weights[corner] * p[k];
@@ -316,7 +315,7 @@ private:
     for (int k = 0; k < 3; ++k)
     {
       at[k] += share * (given[k] - at[k]);
-      at[k] = this->Points->GetDataType() == VTK_FLOAT ? static_cast<float>(at[k]) : at[k];
+      at[k] = this->Joined.AreSingle[nodes[n]] ? static_cast<float>(at[k]) : at[k];
     }
     return at;
   }
@@ -333,7 +332,7 @@ private:
       {
         return this->Moves(cell, n, movesBoundary)
           ? this->Place(cell, n, parts[find(cell)] * this->Shares[node])
-          : this->At.Get(node);
+          : this->At[node];
       },
       [&](vtkIdType cell, const CellJacobian::Bound& bound)
       { valid[find(cell)] = bound.IsValid ? 1 : 0; });
@@ -356,7 +355,8 @@ private:
   void MendAll(Cells& invalid, bool movesBoundary)
   {
     constexpr int rounds = 10; // cells that are invalid then become straight
-    for (int round = 0; !invalid.empty() && (movesBoundary || round <= rounds); ++round)
+    for (int round = 0;
+      this->Ranks.Max(invalid.empty() ? 0 : 1) > 0 && (movesBoundary || round <= rounds); ++round)
     {
       this->LookAround(invalid);
       std::vector<double> parts(invalid.size(), 0.);
@@ -371,22 +371,23 @@ private:
         {
           const vtkIdType node = this->Mesh.GetNodes(c)[n];
           const double share = parts[i] * this->Shares[node];
-          if (this->Moves(c, n, movesBoundary))
+          if (this->Moves(c, n, movesBoundary) && share < this->Shares[node])
           {
-            moved.push_back({ node, share, this->Place(c, n, share) });
+            moved.push_back({ this->Joined.Keys[node], share, this->Place(c, n, share) });
           }
         }
       }
-      // The first cell of the smallest share tells the place: others differ by rounding.
-      std::stable_sort(moved.begin(), moved.end(), [](const Move& a, const Move& b)
-        { return std::tie(a.Node, a.Share) < std::tie(b.Node, b.Share); });
-      moved.erase(std::unique(moved.begin(), moved.end(),
-                    [](const Move& a, const Move& b) { return a.Node == b.Node; }),
-        moved.end());
+      this->Ranks.ShareWithAll(moved);
       if (moved.empty()) // and so in all rounds
       {
         return;
       }
+      // Places of the smallest share differ by rounding, from cell to cell: any order chooses.
+      std::sort(moved.begin(), moved.end(),
+        [](const Move& a, const Move& b) { return a.GetRank() < b.GetRank(); });
+      moved.erase(std::unique(moved.begin(), moved.end(),
+                    [](const Move& a, const Move& b) { return a.Node == b.Node; }),
+        moved.end());
       this->Apply(moved, invalid);
     }
   }
@@ -421,20 +422,25 @@ private:
   void Apply(const std::vector<Move>& moved, Cells& invalid)
   {
     Cells around = invalid;
-    for (const auto& [node, share, at] : moved)
+    for (const Move& move : moved)
     {
-      const Point given = this->Given.Get(node);
-      this->Shares[node] = share;
-      this->Points->SetTuple(node, at.data());
-      this->LargestMove = std::max(
-        this->LargestMove, std::hypot(at[0] - given[0], at[1] - given[1], at[2] - given[2]));
-      around.insert(around.end(), this->Around.Begin(node), this->Around.End(node));
+      Point given;
+      std::memcpy(given.data(), move.Node.data(), sizeof(given));
+      this->LargestMove = std::max(this->LargestMove,
+        std::hypot(move.To[0] - given[0], move.To[1] - given[1], move.To[2] - given[2]));
+      const vtkIdType node = this->Joined.Find(move.Node);
+      if (node >= 0) // else other ranks have it
+      {
+        this->Shares[node] = move.Share;
+        this->At[node] = move.To;
+        around.insert(around.end(), this->Around.Begin(node), this->Around.End(node));
+      }
     }
     std::sort(around.begin(), around.end());
     around.erase(std::unique(around.begin(), around.end()), around.end());
     ForBounds(
       this->Mesh, static_cast<vtkIdType>(around.size()), [&](vtkIdType i) { return around[i]; },
-      [this](vtkIdType, int, vtkIdType node) { return this->At.Get(node); },
+      [this](vtkIdType, int, vtkIdType node) { return this->At[node]; },
       [this](vtkIdType cell, const CellJacobian::Bound& bound) { this->Proof.Set(cell, bound); });
     invalid.clear();
     std::copy_if(around.begin(), around.end(), std::back_inserter(invalid),
@@ -442,54 +448,44 @@ private:
     this->LeaveOutHopeless(invalid);
   }
 
+  const std::vector<CurvedPart*>& Parts;
+  Exchange& Ranks;
+  JoinedParts Joined;
   const CurvedMesh& Mesh;
-  vtkDataArray* Points;
-  const PointReader Given; ///< where nodes were
-  const PointReader At;    ///< where they are
+  const std::vector<Point>& Given; ///< where nodes were
+  std::vector<Point> At;           ///< where they are
   const Surroundings Around;
   std::vector<double> Shares;            ///< of each node, how much of its way it keeps
   std::vector<unsigned char> OnBoundary; ///< of the solids, or on other cells
-  const Cells& All;
   CurvedProof& Proof;
   double LargestMove = 0.;
 };
 
 }
 
-CurvedProof ProveAndRepair(const CurvedMesh& mesh, bool isWhole,
-  vtkSmartPointer<vtkDataArray>& points, const std::function<void(const std::string&)>& warn,
+void ProveAndRepair(const std::vector<CurvedPart*>& parts, Exchange& ranks,
+  const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail)
 {
-  const auto given = Contiguous(points);
-  const PointReader reader(given);
-  CurvedProof proof;
-  proof.Valid.assign(mesh.Shapes.size(), 1);
-  proof.Scaled.assign(mesh.Shapes.size(), 1.);
-  ForBounds(
-    mesh, mesh.GetNumberOfCells(), [](vtkIdType i) { return i; },
-    [&](vtkIdType, int, vtkIdType node) { return reader.Get(node); },
-    [&](vtkIdType cell, const CellJacobian::Bound& bound) { proof.Set(cell, bound); });
-  Cells invalid;
-  vtkIdType solids = 0;
-  for (const vtkIdType c : InTurn(mesh.GetNumberOfCells()))
+  bool areValid = true;
+  for (CurvedPart* part : parts)
   {
-    solids += mesh.Shapes[c]->Jacobian ? 1 : 0;
-    proof.Valid[c] ? void() : invalid.push_back(c);
+    const auto given = Contiguous(part->Points);
+    const PointReader reader(given);
+    CurvedProof& proof = part->Proof;
+    proof.Valid.assign(part->Mesh.Shapes.size(), 1);
+    proof.Scaled.assign(part->Mesh.Shapes.size(), 1.);
+    ForBounds(
+      part->Mesh, part->Mesh.GetNumberOfCells(), [](vtkIdType i) { return i; },
+      [&](vtkIdType, int, vtkIdType node) { return reader.Get(node); },
+      [&](vtkIdType cell, const CellJacobian::Bound& bound) { proof.Set(cell, bound); });
+    areValid =
+      areValid && std::find(proof.Valid.begin(), proof.Valid.end(), 0) == proof.Valid.end();
   }
-  if (!invalid.empty() && !isWhole)
+  if (!ranks.Agree(areValid))
   {
-    warn(std::to_string(invalid.size()) + " of " + std::to_string(solids) +
-      " curved solids are not valid, the first is cell " + std::to_string(invalid[0]) +
-      " of its block: solids of several blocks and ranks are not repaired. Join the blocks in one "
-      "process, or take more levels.");
+    Repair(parts, ranks).Mend(warn, fail);
   }
-  else if (!invalid.empty())
-  {
-    points = vtkSmartPointer<vtkDataArray>::Take(given->NewInstance());
-    points->DeepCopy(given);
-    Repair(mesh, given, points, invalid, proof).Mend(solids, warn, fail);
-  }
-  return proof;
 }
 
 }

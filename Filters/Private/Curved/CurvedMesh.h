@@ -20,6 +20,8 @@ class vtkDataArray;
 namespace subdivision
 {
 
+class Exchange;
+
 struct CurvedMesh
 {
   std::vector<const CurvedShape*> Shapes; ///< of each cell
@@ -43,17 +45,28 @@ struct CurvedProof
   }
 };
 
+/// The curved cells of a block, or of all.
+struct CurvedPart
+{
+  CurvedMesh Mesh;
+  vtkSmartPointer<vtkDataArray> Points;
+  unsigned int Block = 0; ///< its number, 0 if there are no blocks
+  CurvedProof Proof;
+};
+
 /**
  * Proves which solids are valid, and repairs the others: their nodes go back towards the places
  * that they have in the straight cell, by the least step, in 1/32 of the way, after which all cells
  * are valid. Nodes inside of the solids of the mesh go first, and nodes on its boundary and on
  * faces, lines and vertices only where that is not enough. A warning counts the cells and tells the
  * largest move; an error names the first cell that is not valid even where it is straight, which
- * stays as it is. Where nodes move, `points` is replaced by a copy. Of a mesh that is not whole
- * (`isWhole`) nothing moves, as others have its nodes, too: a warning counts the cells.
+ * stays as it is. Where nodes move, `Points` is replaced by a copy.
+ *
+ * All ranks call this together. Nodes at one place are one node, which moves in all parts and on
+ * all ranks that have it: so results do not depend on how cells are shared out. Rank 0 tells.
  */
-CurvedProof ProveAndRepair(const CurvedMesh& mesh, bool isWhole,
-  vtkSmartPointer<vtkDataArray>& points, const std::function<void(const std::string&)>& warn,
+void ProveAndRepair(const std::vector<CurvedPart*>& parts, Exchange& ranks,
+  const std::function<void(const std::string&)>& warn,
   const std::function<void(const std::string&)>& fail);
 
 }

@@ -3,15 +3,22 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/PairTable.h"
+#include "Core/Memory/Sorting.h"
 #include "Core/Operators/VertexRow.h"
+#include "Private/Arrays/Arrays.h"
 #include "Private/Reading/CellReader.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace subdivision
@@ -128,6 +135,44 @@ vtkIdType FindMiddle(
   return find(first, FindMiddle(ends[1], order, corners, find));
 }
 
+/// Numbers middles in the order of their ends, those of `points` first.
+void SortMiddles(
+  vtkIdType points, std::vector<vtkIdType>& nodes, std::vector<std::array<vtkIdType, 2>>& middles)
+{
+  std::vector<vtkIdType> order(middles.size());
+  std::iota(order.begin(), order.end(), vtkIdType(0));
+  std::vector<vtkIdType> numbers(middles.size());
+  std::vector<std::array<vtkIdType, 2>> sorted;
+  const auto second = std::stable_partition(order.begin(), order.end(),
+    [&](vtkIdType i) { return middles[i][0] < points && middles[i][1] < points; });
+  const auto renumber = [&](vtkIdType& node)
+  { node = node < points ? node : points + numbers[node - points]; };
+  for (auto begin = order.begin(); begin != order.end();)
+  {
+    const auto end = begin == order.begin() && begin != second ? second : order.end();
+    std::vector<std::array<vtkIdType, 3>> keys; // of a middle, its ends, and its number until now
+    for (const vtkIdType i : ItemsInTurn<decltype(begin)>(begin, end))
+    {
+      renumber(middles[i][0]);
+      renumber(middles[i][1]);
+      const auto [least, most] = std::minmax(middles[i][0], middles[i][1]);
+      keys.push_back({ { least, most, i } });
+    }
+    StableSort(keys, std::less<>());
+    for (const auto& key : InTurn(keys))
+    {
+      numbers[key[2]] = static_cast<vtkIdType>(sorted.size());
+      sorted.push_back({ { key[0], key[1] } });
+    }
+    begin = end;
+  }
+  middles = std::move(sorted);
+  for (vtkIdType& node : InTurn(nodes))
+  {
+    renumber(node);
+  }
+}
+
 }
 
 std::array<double, 8> GetStraightWeights(const CurvedShape& shape, const FrameNode& node)
@@ -203,7 +248,26 @@ bool ListMiddles(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points
         }));
     }
   };
-  return AddCells(mesh, kind, order, fail, nodes, add);
+  const bool isDone = AddCells(mesh, kind, order, fail, nodes, add);
+  SortMiddles(points, nodes.Nodes, middles);
+  return isDone;
+}
+
+void SetCells(const CurvedNodes& nodes, vtkUnstructuredGrid* mesh)
+{
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkIdTypeArray> offsets;
+  vtkNew<vtkIdTypeArray> ids;
+  Allocate(types, 1, static_cast<vtkIdType>(nodes.Shapes.size()));
+  Allocate(offsets, 1, static_cast<vtkIdType>(nodes.Starts.size()));
+  Allocate(ids, 1, static_cast<vtkIdType>(nodes.Nodes.size()));
+  std::transform(nodes.Shapes.begin(), nodes.Shapes.end(), types->GetPointer(0),
+    [](const CurvedShape* shape) { return static_cast<unsigned char>(shape->CellType); });
+  std::copy(nodes.Starts.begin(), nodes.Starts.end(), offsets->GetPointer(0));
+  std::copy(nodes.Nodes.begin(), nodes.Nodes.end(), ids->GetPointer(0));
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, ids);
+  mesh->SetCells(types, cells);
 }
 
 void KeepNodes(CurvedNodes&& nodes, vtkPointSet* mesh, std::vector<CurvedNodes>& kept)

@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+class vtkUnstructuredGrid;
+
 namespace subdivision
 {
 
@@ -49,11 +51,14 @@ bool ListNodes(vtkPointSet* mesh, CurvedKind kind, int order,
   const std::function<void(const std::string&)>& fail, CurvedNodes& nodes, NodePlaces& places);
 
 /// The same for the orders 1, 2 and 4 of simplices: nodes are points of the mesh, which has
-/// `points`, or after these the middles of two earlier ones each. Cells that share corners ask for
-/// the same middles.
+/// `points`, or after these the middles of two earlier ones each, in the order of their ends. Cells
+/// that share corners ask for the same middles.
 bool ListMiddles(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points,
   const std::function<void(const std::string&)>& fail, CurvedNodes& nodes,
   std::vector<std::array<vtkIdType, 2>>& middles);
+
+/// Gives a mesh such cells in the place of its own, one for each.
+void SetCells(const CurvedNodes& nodes, vtkUnstructuredGrid* mesh);
 
 /// Keeps nodes for MakeCurvedCells, which comes after cells were left out or given to blocks: a
 /// cell array of the mesh says which cell each of them was.

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -211,16 +212,17 @@ namespace
 {
 
 /// Numbers the vertices that the same number of halvings made, by the numbers of the ends of their
-/// edges. `own`: of each vertex, whether it belongs to an own cell.
+/// edges, ends[vertex - first]. `own`: of each vertex, whether it belongs to an own cell.
 template <typename Id>
-void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
-  const std::vector<char>& own, OtherPartitions& others, WholeIds& points)
+void NumberMidpoints(const std::vector<Id>& vertices, Id first,
+  const std::vector<std::array<Id, 2>>& allEnds, const std::vector<char>& own,
+  OtherPartitions& others, WholeIds& points)
 {
   SharedKeys midpoints;
   midpoints.Width = 2;
   for (const Id vertex : InTurn(vertices))
   {
-    const auto ends = state.GetEnds(vertex);
+    const auto& ends = allEnds[vertex - first];
     const auto [least, most] = std::minmax(points.Ids[ends[0]], points.Ids[ends[1]]);
     midpoints.Keys.push_back(std::max<vtkIdType>(least, 0));
     midpoints.Keys.push_back(std::max<vtkIdType>(most, 0));
@@ -230,11 +232,13 @@ void NumberMidpoints(const std::vector<Id>& vertices, const RedGreen<Id>& state,
 }
 
 /// Numbers the output of a state whose vertices are sorted; `simplices`: of which each cell is a
-/// part. Vertices of each number of halvings are numbered after vertices of less: two exchanges for
-/// each, of 32 bytes for each vertex.
+/// part; `midpoints`: the ends of new vertices, of nodes of curved cells too. Vertices of each
+/// number of halvings are numbered after vertices of less: two exchanges for each, of 32 bytes for
+/// each vertex.
 template <typename Id>
 WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
-  const std::vector<vtkIdType>& simplices, OtherPartitions& others, vtkUnstructuredGrid* output)
+  const std::vector<vtkIdType>& simplices, const std::vector<std::array<Id, 2>>& midpoints,
+  OtherPartitions& others, vtkUnstructuredGrid* output)
 {
   std::vector<vtkIdType> sources;
   for (const vtkIdType simplex : InTurn(simplices))
@@ -247,13 +251,22 @@ WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const Re
   const std::vector<char> own = FindOwnPoints(output, sources, others);
   numbers.Points = NumberVertices(input->GetNumberOfPoints(), mesh.Control.Cells.GetView(),
     MakeKeysOfPieces(mesh.Control.Cells, places, others), others);
-  numbers.Points.Ids.resize(static_cast<std::size_t>(state.GetNumberOfVertices()), -1);
+  numbers.Points.Ids.resize(own.size(), -1);
   std::vector<std::vector<Id>> added = ListByHalvings(state);
   const auto halvings = others.Gather(static_cast<vtkIdType>(added.size()));
   added.resize(static_cast<std::size_t>(*std::max_element(halvings.begin(), halvings.end())));
+  const Id first = state.GetNumberOfInputVertices();
+  const Id size = state.GetNumberOfVertices();
+  std::vector<Id> nodes[2]; // between vertices, and between these
+  for (Id node = size; node < first + static_cast<Id>(midpoints.size()); ++node)
+  {
+    const auto& ends = midpoints[node - first];
+    nodes[ends[0] < size && ends[1] < size ? 0 : 1].push_back(node);
+  }
+  added.insert(added.end(), std::begin(nodes), std::end(nodes));
   for (const std::vector<Id>& vertices : added)
   {
-    NumberMidpoints(vertices, state, own, others, numbers.Points);
+    NumberMidpoints(vertices, first, midpoints, own, others, numbers.Points);
   }
   return numbers;
 }
@@ -281,7 +294,7 @@ bool RedGreenRun::Refine()
   }
   std::vector<std::array<Id, 2>> midpoints = ListEnds(state);
   CurvedNodes nodes;
-  if (this->Options.Nodes)
+  if (this->Options.IsCurved)
   {
     std::vector<std::array<vtkIdType, 2>> middles;
     if (!ListMiddles(this->Output, this->Options.Kind, this->Options.CellOrder,
@@ -295,17 +308,17 @@ bool RedGreenRun::Refine()
     }
   }
   this->MakePoints(state.GetNumberOfInputVertices(), midpoints, limit);
-  if (this->Options.Nodes)
-  {
-    nodes.Points = this->Output;
-    KeepNodes(std::move(nodes), this->Output, *this->Options.Nodes);
-  }
   TellOvershoot(*this->Points, this->Options, this->Output, this->Options.LimitPlacement);
+  if (this->Options.IsCurved)
+  {
+    SetCells(nodes, this->Output);
+  }
   RebuildPointGhosts(this->Input, this->Output);
   WholeNumbers whole;
   if (this->Others)
   {
-    whole = NumberOutput(this->Input, this->Mesh, state, simplices, *this->Others, this->Output);
+    whole = NumberOutput(
+      this->Input, this->Mesh, state, simplices, midpoints, *this->Others, this->Output);
     whole.Write(this->Output);
   }
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);

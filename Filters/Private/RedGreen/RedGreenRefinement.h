@@ -8,7 +8,7 @@
 
 #include "Private/Control/Stamp.h"
 #include "Private/Criteria/RefinementCriteria.h"
-#include "Private/Curved/CurvedNodes.h"
+#include "Private/Curved/CurvedShapes.h"
 #include "Private/Run/RunOptions.h"
 
 class vtkPointSet;
@@ -22,8 +22,7 @@ struct RedGreenOptions : RunOptions
   RefinementOptions Criteria;
   bool LimitPlacement = false;
   StampScheme Scheme = StampScheme::BoxSpline; ///< of the limit
-  /// Null, or where nodes of curved cells go, of this order.
-  std::vector<CurvedNodes>* Nodes = nullptr;
+  bool IsCurved = false;                       ///< cells of this kind and order
   CurvedKind Kind = CurvedKind::Quadratic;
   int CellOrder = 2;
 };

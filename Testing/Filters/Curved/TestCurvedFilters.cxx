@@ -210,6 +210,130 @@ TEST(CurvedFilters, MixedMeshesAndBlocks)
   EXPECT_EQ(block->GetNumberOfPoints(), whole->GetNumberOfPoints());
 }
 
+/// Blocks share the nodes that are repaired, with solids, faces and lines in either.
+TEST(CurvedFilters, BlocksAreRepairedAsTheWhole)
+{
+  using Uniform = vtkMultiDimensionalSubdivision;
+  vtkNew<vtkSubdivisionModelSource> model;
+  model->SetModelToMixedDimensions();
+  model->Update();
+  vtkUnstructuredGrid* given = model->GetOutput();
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  std::vector<Point> allPoints; // in the order of blocks, as sums are
+  std::vector<Cell> allCells;
+  std::map<vtkIdType, vtkIdType> allNumbers;
+  for (vtkIdType b = 0; b < 3; ++b)
+  {
+    std::vector<Point> points;
+    std::vector<Cell> cells;
+    std::map<vtkIdType, vtkIdType> numbers;
+    for (vtkIdType c = b; c < given->GetNumberOfCells(); c += 3)
+    {
+      Ids ids = GetCell(given, c);
+      allCells.push_back({ given->GetCellType(c), {} });
+      for (vtkIdType& id : ids)
+      {
+        const auto next = static_cast<vtkIdType>(allPoints.size());
+        const auto found = allNumbers.emplace(id, next);
+        found.second ? allPoints.push_back(GetPoint(given, id)) : void();
+        allCells.back().Points.push_back(found.first->second);
+        const auto entry = numbers.emplace(id, static_cast<vtkIdType>(points.size()));
+        entry.second ? points.push_back(GetPoint(given, id)) : void();
+        id = entry.first->second;
+      }
+      cells.push_back({ given->GetCellType(c), ids });
+    }
+    blocks->SetBlock(static_cast<unsigned int>(b), MakeGrid(points, cells));
+  }
+  const auto run = [](vtkDataObject* input, Messages* messages)
+  {
+    vtkNew<Uniform> filter;
+    messages->Watch(filter);
+    filter->SetInputDataObject(input);
+    filter->SetNumberOfLevels(0);
+    filter->SetOutputCellsToQuadratic();
+    filter->Update();
+    EXPECT_TRUE(messages->Errors.empty());
+    return vtkSmartPointer<vtkDataObject>(filter->GetOutputDataObject(0));
+  };
+  vtkNew<Messages> ofWhole;
+  vtkNew<Messages> ofBlocks;
+  const auto whole = run(MakeGrid(allPoints, allCells), ofWhole);
+  const auto made = run(blocks, ofBlocks);
+  EXPECT_EQ(ofWhole->CountWarnings("nodes of them went back"), 1);
+  EXPECT_EQ(ofBlocks->CountWarnings("nodes of them went back"), 1);
+  EXPECT_EQ(ofBlocks->CountWarnings(" of block "), 1);
+  const auto list = [](vtkDataObject* grid, std::set<Point>& places)
+  {
+    auto* curved = vtkUnstructuredGrid::SafeDownCast(grid);
+    EXPECT_EQ(curved->GetCellData()->GetArray("Valid")->GetRange()[0], 1.);
+    for (vtkIdType i = 0; i < curved->GetNumberOfPoints(); ++i)
+    {
+      places.insert(GetPoint(curved, i));
+    }
+  };
+  std::set<Point> expected;
+  std::set<Point> found;
+  list(whole, expected);
+  for (unsigned int b = 0; b < 3; ++b)
+  {
+    list(vtkMultiBlockDataSet::SafeDownCast(made)->GetBlock(b), found);
+  }
+  EXPECT_EQ(found, expected);
+}
+
+/// Where values jump between materials nodes of green cells are doubled, too.
+TEST(CurvedFilters, NodesAreDoubledWhereValuesJump)
+{
+  const Grid input = MakeMarkedBox(2);
+  vtkNew<vtkDoubleArray> density;
+  density->SetName("Density");
+  vtkNew<vtkIntArray> materials;
+  materials->SetName("MaterialId");
+  for (vtkIdType c = 0; c < input->GetNumberOfCells(); ++c)
+  {
+    materials->InsertNextValue(static_cast<int>(c % 2));
+    density->InsertNextValue(static_cast<double>(3 + c % 2));
+  }
+  input->GetCellData()->AddArray(density);
+  input->GetCellData()->AddArray(materials);
+  for (const int order : { 0, 4 })
+  {
+    for (const bool toLimit : { true, false })
+    {
+      const Grid made = Refine(
+        input,
+        [&](Filter* filter)
+        {
+          filter->RefineByWantedLevelOn();
+          filter->SetMaximumLevel(2);
+          filter->SetPlacement(toLimit ? Filter::LIMIT : Filter::LINEAR);
+          filter->PreserveInterfacesOn();
+          filter->SetInterfaceValuesToDiscontinuous();
+          filter->AddFieldOfCells("Density");
+          SetOrder(filter, order);
+        },
+        vtkNew<Messages>());
+      vtkDataArray* values = made->GetPointData()->GetArray("Density");
+      ASSERT_NE(values, nullptr);
+      std::set<Point> places;
+      for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+      {
+        places.insert(GetPoint(made, i));
+      }
+      EXPECT_LT(places.size(), static_cast<std::size_t>(made->GetNumberOfPoints()));
+      for (vtkIdType c = 0; c < made->GetNumberOfCells(); ++c)
+      {
+        const double own = made->GetCellData()->GetArray("Density")->GetComponent(c, 0);
+        for (const vtkIdType node : GetCell(made, c))
+        {
+          ASSERT_NEAR(values->GetComponent(node, 0), own, 1e-12) << c;
+        }
+      }
+    }
+  }
+}
+
 TEST(CurvedFilters, OrderThreeOfRedGreenIsAnError)
 {
   vtkNew<Filter> filter;

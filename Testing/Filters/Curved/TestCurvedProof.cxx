@@ -10,6 +10,7 @@
 
 #include "Private/Curved/CellJacobian.h"
 #include "Private/Curved/CurvedMesh.h"
+#include "Private/Distribution/PartitionsOfRank.h"
 
 using namespace curved_tools;
 using namespace subdivision;
@@ -239,14 +240,49 @@ struct TwoTets
     }
     this->Points->SetTuple(node, p);
   }
-  CurvedProof Prove(bool isWhole = true)
+  CurvedProof Prove()
+  {
+    PartitionsOfRank rank;
+    ExchangeOfAll exchange(rank);
+    CurvedPart part = this->MakePart();
+    this->Prove({ &part }, exchange);
+    this->Points = part.Points;
+    return part.Proof;
+  }
+  CurvedPart MakePart()
   {
     this->Mesh.Offsets = this->Offsets.data();
     this->Mesh.Nodes = this->Nodes.data();
-    return ProveAndRepair(
-      this->Mesh, isWhole, this->Points,
-      [this](const std::string& text) { this->Warnings.push_back(text); },
+    return { this->Mesh, this->Points, 0, {} };
+  }
+  void Prove(const std::vector<CurvedPart*>& parts, Exchange& exchange)
+  {
+    ProveAndRepair(
+      parts, exchange, [this](const std::string& text) { this->Warnings.push_back(text); },
       [this](const std::string& text) { this->Errors.push_back(text); });
+  }
+  /// Some of the cells, with a copy of the points that they use, in another order.
+  TwoTets Take(const std::set<vtkIdType>& cells) const
+  {
+    TwoTets taken(*this);
+    taken.Mesh.Shapes.clear();
+    taken.Offsets = { 0 };
+    taken.Nodes.clear();
+    taken.Points = vtkSmartPointer<vtkDoubleArray>::New();
+    taken.Points->SetNumberOfComponents(3);
+    std::map<vtkIdType, vtkIdType> numbers;
+    for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell)
+    {
+      taken.Mesh.Shapes.push_back(this->Mesh.Shapes[*cell]);
+      for (vtkIdType k = this->Offsets[*cell]; k < this->Offsets[*cell + 1]; ++k)
+      {
+        const auto entry = numbers.emplace(this->Nodes[k], taken.Points->GetNumberOfTuples());
+        entry.second ? taken.Points->InsertNextTuple(this->Get(this->Nodes[k]).data()) : -1;
+        taken.Nodes.push_back(entry.first->second);
+      }
+      taken.Offsets.push_back(static_cast<vtkIdType>(taken.Nodes.size()));
+    }
+    return taken;
   }
   Point Get(vtkIdType i) const
   {
@@ -310,20 +346,68 @@ TEST(CurvedProof, AnInvalidCellIsMended)
   }
 }
 
-/// Others have nodes of a mesh that is not whole.
-TEST(CurvedProof, PartsOfAMeshAreNotRepaired)
+/// Blocks and ranks that share nodes move them alike, to where they go in the whole mesh.
+TEST(CurvedProof, PartsAreRepairedAsTheWhole)
 {
-  TwoTets moved({ -0.9, -0.9, 0 }, 7);
-  const TwoTets given({ -0.9, -0.9, 0 }, 7);
-  const CurvedProof proof = moved.Prove(false);
-  EXPECT_NE(proof.Valid, std::vector<unsigned char>(3, 1));
-  ASSERT_EQ(moved.Warnings.size(), 1u);
-  EXPECT_NE(
-    moved.Warnings[0].find("of several blocks and ranks are not repaired"), std::string::npos);
-  EXPECT_TRUE(moved.Errors.empty());
-  for (vtkIdType i = 0; i < moved.Points->GetNumberOfTuples(); ++i)
+  const TwoTets straight({ 0, 0, 0 }, 5);
+  for (vtkIdType node = 5; node < straight.Points->GetNumberOfTuples(); ++node)
   {
-    EXPECT_EQ(moved.Get(i), given.Get(i)) << i;
+    for (const Point& move : { Point{ -0.9, -0.8, 0.1 }, Point{ 0.7, 0.1, 0.9 } })
+    {
+      const TwoTets given(move, node);
+      TwoTets whole = given.Take({ 0, 1, 2 });
+      whole.Prove();
+      std::set<Point> expected;
+      for (vtkIdType i = 0; i < whole.Points->GetNumberOfTuples(); ++i)
+      {
+        expected.insert(whole.Get(i));
+      }
+      const std::vector<TwoTets> taken{ given.Take({ 0 }), given.Take({ 1 }), given.Take({ 2 }) };
+      for (const int ranks : { 1, 2, 3 })
+      {
+        SCOPED_TRACE(testing::Message() << node << " " << ranks);
+        std::vector<TwoTets> parts = taken;
+        std::vector<CurvedPart> made;
+        for (TwoTets& part : parts)
+        {
+          made.push_back(part.MakePart());
+          made.back().Block = 4 + static_cast<unsigned int>(made.size());
+        }
+        PartitionsOfRank partitions(nullptr, ranks);
+        partitions.Run(
+          [&](int i)
+          {
+            std::vector<CurvedPart*> own;
+            for (std::size_t k = static_cast<std::size_t>(i); k < 3;
+              k += static_cast<std::size_t>(ranks))
+            {
+              own.push_back(&made[k]);
+            }
+            ExchangeOfAll exchange(partitions, i);
+            parts[static_cast<std::size_t>(i)].Prove(own, exchange);
+          },
+          [](int) {});
+        std::set<Point> found;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          EXPECT_EQ(made[k].Proof.Valid[0], 1);
+          parts[k].Points = made[k].Points;
+          for (vtkIdType i = 0; i < parts[k].Points->GetNumberOfTuples(); ++i)
+          {
+            found.insert(parts[k].Get(i));
+          }
+        }
+        EXPECT_EQ(found, expected);
+        ASSERT_EQ(parts[0].Warnings.size(), whole.Warnings.size());
+        for (std::size_t k = 1; k < 3; ++k)
+        {
+          EXPECT_TRUE(parts[k].Warnings.empty() && parts[k].Errors.empty());
+        }
+        const std::string text = whole.Warnings.empty() ? "" : parts[0].Warnings[0];
+        EXPECT_EQ(text.find(" of block ") != std::string::npos, !text.empty());
+        EXPECT_EQ(text.find(" of rank ") != std::string::npos, !text.empty() && ranks > 1);
+      }
+    }
   }
 }
 
