@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Times that must stay short on ordinary input, and costs that must stay in proportion.
 
-usage: PYTHONPATH=... check_times.py [NAME]      (the package subdivisionobjects of any build)
+usage: PYTHONPATH=... check_times.py [NAME]      (the package subdivisionobjects of any build; NAME: a check, such as curved, or words of a row)
 
 Each row is the best of some runs, beside its bar; the exit status is 1 where a bar is missed. ./dev bench --times runs it.
 """
 
+import multiprocessing
+import pathlib
+import re
 import sys
 import time
 
@@ -88,26 +91,45 @@ def bezier():
     yield "Bezier cells of the mechanical part by two levels, s", timed(run, 1), 12.0
 
 
-def curved():
-    """Curved cells for solvers beside linear cells of the same points on the limit: at most three times."""
+def making(levels, cells, order):
+    """What makes cells of the mechanical part on the limit, and the points that there are."""
     mesh = model(so.vtkSubdivisionModelSource.MECHANICAL_PART)
 
-    def making(levels, cells, order):
-        def run():
-            made = so.vtkMultiDimensionalSubdivision()
-            made.SetInputData(mesh)
-            made.SetNumberOfLevels(levels)
-            made.SetOutputCells(cells)
-            made.SetCellOrder(order)
-            made.CacheOperatorOff()
-            made.ProjectToLimitOn()
-            made.SmoothShadingOff()
-            made.Update()
-            assert made.GetOutput().GetNumberOfCells() > 0
-        return run
-    linear = timed(making(3, 0, 1), 5)
-    for name, steps, cells, order in (("Quadratic", 1, 2, 2), ("Lagrange of order 4", 2, 3, 4)):
-        yield f"{name} cells, times linear ones of as many points", timed(making(3 - steps, cells, order), 5) / linear, 3.0
+    def run():
+        made = so.vtkMultiDimensionalSubdivision()
+        made.SetInputData(mesh)
+        made.SetNumberOfLevels(levels)
+        made.SetOutputCells(cells)
+        made.SetCellOrder(order)
+        made.CacheOperatorOff()
+        made.ProjectToLimitOn()
+        made.SmoothShadingOff()
+        made.Update()
+        return made.GetOutput().GetNumberOfPoints()
+    return run
+
+
+def peak_per_node(*case):
+    """How many bytes a node the largest memory of a process of its own is beyond what it had before."""
+    def memory(name):  # getrusage has the peak of the process that started this one, too
+        return int(re.search(rf"{name}:\s+(\d+) kB", pathlib.Path("/proc/self/status").read_text())[1]) * 1024
+    run = making(*case)
+    before = memory("VmRSS")
+    nodes = run()
+    return (memory("VmHWM") - before) / nodes
+
+
+def curved():
+    """Curved cells for solvers beside linear cells of the same points on the limit: at most three times, of time and memory."""
+    with multiprocessing.get_context("spawn").Pool(1, maxtasksperchild=1) as pool:
+        def peak(*case):
+            return pool.apply(peak_per_node, case)
+        linear, most = timed(making(3, 0, 1), 5), peak(4, 0, 1)
+        for name, steps, cells, order in (("Quadratic", 1, 2, 2), ("Lagrange of order 4", 2, 3, 4)):
+            words = f"{name} cells, times linear ones of as many points"
+            yield words, timed(making(3 - steps, cells, order), 5) / linear, 3.0
+            bytes_of_node = peak(4 - steps, cells, order)
+            yield f"{words}: memory of a node, {bytes_of_node:,.0f} bytes", bytes_of_node / most, 3.0
 
 
 def smoothness():
@@ -151,9 +173,11 @@ def blocks():
 def main():
     missed = False
     wanted = sys.argv[1] if len(sys.argv) > 1 else ""
-    for check in (probes, probe_of_many, bezier, curved, smoothness, blocks):
+    checks = (probes, probe_of_many, bezier, curved, smoothness, blocks)
+    named = [check for check in checks if check.__name__ == wanted]
+    for check in named or checks:
         for name, figure, bar in check():
-            if wanted in name:
+            if named or wanted in name:
                 missed = missed or figure > bar
                 print(f"{'ok  ' if figure <= bar else 'MISS'} {figure:10.3f} (bar {bar:g}) {name}", flush=True)
     return 1 if missed else 0
