@@ -34,6 +34,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 # ---------------------------------------------------------------- Multi-dimensional Subdivision
@@ -296,12 +297,16 @@ def surface_options():
 
 
 def curved_edges(grid):
-    """The edges of Bezier cells, as lines of many pieces."""
+    """The edges of curved cells, as lines of many pieces."""
     pieces = 16
-    points, lines = vtkPoints(), vtkCellArray()
+    points, lines, drawn = vtkPoints(), vtkCellArray(), set()
     for cell in range(grid.GetNumberOfCells()):
         for number in range(grid.GetCell(cell).GetNumberOfEdges()):
             edge = grid.GetCell(cell).GetEdge(number)
+            ends = frozenset((edge.GetPointId(0), edge.GetPointId(1)))
+            if ends in drawn:
+                continue
+            drawn.add(ends)
             weights = [0.0] * edge.GetNumberOfPoints()
             lines.InsertNextCell(pieces + 1)
             for i in range(pieces + 1):
@@ -330,6 +335,24 @@ def bezier_cells():
         edges.GetProperty().SetColor(0.2, 0.22, 0.26)
         shown.append((words, [*actors, edges], points))
     write("bezier_cells", shown, (0.45, -1.0, 0.35))
+
+
+def curved_cells():
+    """Flat cells beside curved ones, with their edges."""
+    part = model("MechanicalPart")
+    shown = []
+    for words, options in (("Linear", {"ProjectToLimit": 1}), ("Quadratic", {"OutputCells": "Quadratic"})):
+        made = subdivide(part, 0, OutputDimensions="Tetrahedra", **options)
+        outside = vtkDataSetSurfaceFilter()
+        outside.SetInputData(made)
+        outside.SetNonlinearSubdivisionLevel(4)
+        outside.Update()
+        picture, actors, points = surface_picture(f"{words}:\n{made.GetNumberOfCells()} cells",
+                                                  outside.GetOutput() if words == "Linear" else normals_of(outside.GetOutput()))
+        edges = look.tubes(curved_edges(made), 0.005, None)
+        edges.GetProperty().SetColor(0.2, 0.22, 0.26)
+        shown.append((picture, [*actors, edges], points))
+    write("curved_cells", shown, (0.45, -1.0, 0.55), 2)
 
 
 def normals_of(data):
@@ -573,7 +596,7 @@ def figure():
 
 def draw():
     for make in (levels, volume_schemes, cell_types, sharpness, marks, levels_of_marks, crease_geometry, rules_by_region, features,
-                 interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, seams, boundary, corners,
+                 interpolation, quadratic_cells, join_blocks, interface_values, surface_options, bezier_cells, curved_cells, seams, boundary, corners,
                  criteria, criteria_of_places, adaptive_criteria, deformation_levels, outside_points, cages, labels,
                  topology, scheme_pictures.modified_boundary, scheme_pictures.error_bounds,
                  scheme_pictures.smoothness, scheme_pictures.maps_of_surfaces, scheme_pictures.maps_of_faces,
