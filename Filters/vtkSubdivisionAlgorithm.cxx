@@ -466,11 +466,8 @@ bool vtkSubdivisionAlgorithm::ReadChosenPoints(vtkPointSet* input, subdivision::
     const double weight = chosen->GetComponent(i, 0);
     if (!(weight >= 0. && weight <= 1.))
     {
-      options.Fail("The array " + std::string(chosen->GetName()) +
-        " of weights for interpolation "
-        "has the value " +
-        std::to_string(weight) + " at point " + std::to_string(i) +
-        ". Give it values from 0 (the point is free) to 1 (the limit passes through it).");
+      options.Fail("The weight " + std::to_string(weight) + " of point " + std::to_string(i) +
+        " (array index 13) must be from 0 (free) to 1 (interpolated).");
       return false;
     }
   }

@@ -178,20 +178,17 @@ public:
   void FillCavities()
   {
     constexpr char outside = 2;
-    const auto isOutside = [&](int i, int j, int k)
-    {
-      return i < 0 || j < 0 || k < 0 || i >= this->Size[0] || j >= this->Size[1] ||
-        k >= this->Size[2] || this->At(i, j, k) == outside;
-    };
+    this->Beyond = outside;
     for (bool hasChanged = true; hasChanged;)
     {
       hasChanged = false;
       ForAll(this->Size,
         [&](int i, int j, int k)
         {
-          if (this->At(i, j, k) == 0 &&
-            (isOutside(i - 1, j, k) || isOutside(i + 1, j, k) || isOutside(i, j - 1, k) ||
-              isOutside(i, j + 1, k) || isOutside(i, j, k - 1) || isOutside(i, j, k + 1)))
+          const char around[6] = { this->At(i - 1, j, k), this->At(i + 1, j, k),
+            this->At(i, j - 1, k), this->At(i, j + 1, k), this->At(i, j, k - 1),
+            this->At(i, j, k + 1) };
+          if (this->At(i, j, k) == 0 && std::count(around, around + 6, outside) > 0)
           {
             this->At(i, j, k) = outside;
             hasChanged = true;
@@ -200,72 +197,67 @@ public:
     }
     std::transform(this->IsKept.begin(), this->IsKept.end(), this->IsKept.begin(),
       [](char kept) -> char { return kept == outside ? 0 : 1; });
+    this->Beyond = 0;
   }
 
-  /// Keeps more boxes, until the boxes around each edge and around each point are joined through
-  /// faces, and so are those that are not kept.
+  /// Keeps more boxes, until the boxes around each point are joined through faces, and so are those
+  /// that are not kept. Then the surface is a manifold, at edges too.
   void JoinThroughFaces()
   {
+    const int points[3] = { this->Size[0] + 1, this->Size[1] + 1, this->Size[2] + 1 };
+    const int two[3] = { 2, 2, 2 };
     for (bool hasChanged = true; hasChanged;)
     {
       hasChanged = false;
-      for (int flat = -1; flat < 3; ++flat) // the axis of edges, then points
-      {
-        int extent[3]; // of the boxes around one
-        int count[3];
-        for (int axis = 0; axis < 3; ++axis)
+      ForAll(points,
+        [&](int i, int j, int k)
         {
-          extent[axis] = axis == flat ? 1 : 2;
-          count[axis] = this->Size[axis] + 1 - extent[axis];
-        }
-        ForAll(count,
-          [&](int i, int j, int k)
+          std::vector<char*> around;
+          ForAll(two, [&](int x, int y, int z)
+            { around.push_back(&this->At(i + x - 1, j + y - 1, k + z - 1)); });
+          if (!AreJoined(around, 0) || !AreJoined(around, 1))
           {
-            std::vector<char*> around;
-            ForAll(extent,
-              [&](int x, int y, int z) { around.push_back(&this->At(i + x, j + y, k + z)); });
-            if (!AreJoined(around, 0) || !AreJoined(around, 1))
-            {
-              std::for_each(around.begin(), around.end(), [](char* box) { *box = 1; });
-              hasChanged = true;
-            }
-          });
-      }
+            std::for_each(around.begin(), around.end(), [](char* box) { *box = 1; });
+            this->Beyond = 0;
+            hasChanged = true;
+          }
+        });
     }
   }
 
   std::vector<char>& GetKept() { return this->IsKept; }
 
 private:
-  /// Whether the boxes of 2 x 2 or 2 x 2 x 2 that have a value are joined through faces: boxes
-  /// whose numbers differ in one bit have a common face.
+  /// Whether those of 2 x 2 x 2 boxes that have a value are joined through faces: boxes whose
+  /// numbers differ in one bit have a common face.
   static bool AreJoined(const std::vector<char*>& around, char value)
   {
     unsigned all = 0;
-    for (unsigned b = 0; b < around.size(); ++b)
+    for (unsigned b = 0; b < 8; ++b)
     {
       all |= *around[b] == value ? 1U << b : 0U;
     }
     unsigned reached = all & (~all + 1U); // the first
-    for (std::size_t round = 0; round < around.size(); ++round)
+    for (unsigned step = 0; step < 64; ++step)
     {
-      for (unsigned b = 0; b < around.size(); ++b)
-      {
-        for (unsigned bit = 1; (reached >> b & 1U) != 0 && bit < around.size(); bit *= 2)
-        {
-          reached |= all & 1U << (b ^ bit);
-        }
-      }
+      const unsigned b = step % 8;
+      const unsigned beside = 1U << (b ^ 1U) | 1U << (b ^ 2U) | 1U << (b ^ 4U);
+      reached |= (reached >> b & 1U) != 0 ? all & beside : 0U;
     }
     return reached == all;
   }
   char& At(int i, int j, int k)
   {
-    return this->IsKept[(static_cast<std::size_t>(k) * this->Size[1] + j) * this->Size[0] + i];
+    const bool isThere =
+      i >= 0 && j >= 0 && k >= 0 && i < this->Size[0] && j < this->Size[1] && k < this->Size[2];
+    return isThere
+      ? this->IsKept[(static_cast<std::size_t>(k) * this->Size[1] + j) * this->Size[0] + i]
+      : this->Beyond;
   }
 
   int Size[3];
   std::vector<char> IsKept;
+  char Beyond = 0; ///< of all boxes beyond the lattice
 };
 
 /// Six tetrahedra for each box: one for each order in which a path along its edges may go from the

@@ -175,11 +175,9 @@ public:
   ///@{
   /**
    * To what points are bound: CELLS_OF_LEVEL (0, the default) or LIMIT (1). With LIMIT each point
-   * has a place on the limit of the rest mesh, and moves to the same place on the limit of the
-   * deformed mesh: the deformation is as smooth as the scheme, for the box spline with two
-   * continuous derivatives, and NumberOfLevels is not read. Vectors get the derivatives of this
-   * map. The first execution searches for the places, as vtkSubdivisionLimitProbe does, which takes
-   * much longer; later ones are one product.
+   * keeps its place on the limit: the deformation, and its derivatives for vectors, are as smooth
+   * as the scheme, and NumberOfLevels is not read. The first execution searches for the places, as
+   * vtkSubdivisionLimitProbe does, which takes much longer; later ones are one product.
    */
   vtkSetClampMacro(Embedding, int, CELLS_OF_LEVEL, LIMIT);
   vtkGetMacro(Embedding, int);

@@ -24,33 +24,35 @@ void ForEntries(const double* equation, const Use& use)
   }
 }
 
+double Dot(const double* a, const double* b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /// The equations for the limits of one part of a mesh, as numbers that it sends, one after the
 /// other: one by which they are sorted; what is wanted of shifts; the only shift that it moves, -1:
 /// all that it has; how many it has; and each of these with its weight. Shift 3 i + c is component
 /// c of control point i.
-class Equations
+struct Equations
 {
-public:
-  Equations(const WantedLimits& wanted, const WholeSystem& whole)
-    : Wanted(wanted)
-    , Whole(whole)
-  {
-  }
+  const double* Points;
+  const WholeSystem& Whole;
+  std::vector<double> List = {};
 
   /// Appends: the sum over a row of `vector` times the shifts is `part` of `vector` times `place`,
   /// less what it is for the points. Returns false, and appends nothing, if the row has no weights.
   bool Append(const SparseRows<long long>& rows, vtkIdType i, const double* vector, double part,
-    const double* place, double own, int which)
+    const double* place, int which)
   {
     const std::size_t begin = this->List.size();
+    const auto own = static_cast<double>(this->Whole.Numbers[i]);
     double wanted = Dot(vector, place);
     this->List.insert(
-      this->List.end(), { 5. * static_cast<double>(this->Whole.Numbers[i]) + which, 0., own, 0. });
+      this->List.end(), { 5. * own + which, 0., which < 3 ? 3. * own + which : -1., 0. });
     for (vtkIdType k = rows.Offsets[i]; k < rows.Offsets[i + 1]; ++k)
     {
-      const double* point = this->Wanted.Points + 3 * rows.Columns[k];
       const auto column = static_cast<double>(this->Whole.Numbers[rows.Columns[k]]);
-      wanted -= rows.Weights[k] * Dot(vector, point);
+      wanted -= rows.Weights[k] * Dot(vector, this->Points + 3 * rows.Columns[k]);
       for (int c = 0; c < 3; ++c)
       {
         const double weight = rows.Weights[k] * vector[c];
@@ -66,47 +68,6 @@ public:
     this->List.resize(isUsed ? this->List.size() : begin);
     return isUsed;
   }
-
-  void AppendPlace(const SparseRows<long long>& rows, vtkIdType i)
-  {
-    for (int c = 0; c < 3; ++c)
-    {
-      double axis[3] = { 0., 0., 0. };
-      axis[c] = 1.;
-      this->Append(rows, i, axis, this->Wanted.Parts[i], this->Wanted.Points + 3 * i,
-        3. * static_cast<double>(this->Whole.Numbers[i]) + c, c);
-    }
-  }
-  /// Returns false if there is no tangent.
-  bool AppendNormal(const SparseRows<long long>* tangents, vtkIdType i)
-  {
-    const double* n = this->Wanted.Normals + 3 * i;
-    const double zero[3] = { 0., 0., 0. };
-    bool hasTangent = false;
-    for (int t = 0; t < 2; ++t)
-    {
-      double square = 0.; // of all weights: so tangents of all points count alike
-      for (vtkIdType k = tangents[t].Offsets[i]; k < tangents[t].Offsets[i + 1]; ++k)
-      {
-        square += tangents[t].Weights[k] * tangents[t].Weights[k];
-      }
-      const double unit = std::sqrt(square) * std::hypot(n[0], n[1], n[2]);
-      const double along[3] = { n[0] / unit, n[1] / unit, n[2] / unit };
-      hasTangent |= square > 0. && this->Append(tangents[t], i, along, 1., zero, -1., 3 + t);
-    }
-    return hasTangent;
-  }
-
-  std::vector<double> List;
-
-private:
-  static double Dot(const double* a, const double* b)
-  {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-
-  const WantedLimits& Wanted;
-  const WholeSystem& Whole;
 };
 
 /// Solves the equations. Returns the shifts, and behind them the largest error; only this if
@@ -187,16 +148,34 @@ TurnedLimits FindTurnedLimits(const SparseRows<long long>* rows, const WantedLim
   TurnedLimits found;
   const vtkIdType size = rows[0].GetNumberOfRows();
   const WholeSystem whole = limits.FindWhole ? limits.FindWhole() : WholeSystem(size);
-  Equations equations(wanted, whole);
+  Equations equations{ wanted.Points, whole };
   for (const vtkIdType i : InTurn(size))
   {
     const double* n = wanted.Normals + 3 * i;
-    if (!whole.AreOwn[i] || whole.Numbers[i] < 0)
+    const double length = std::hypot(n[0], n[1], n[2]);
+    bool hasTangent = length == 0.;
+    for (int which = 0; which < 5 && whole.AreOwn[i] && whole.Numbers[i] >= 0; ++which)
     {
-      continue;
+      const double axis[3] = { which == 0 ? 1. : 0., which == 1 ? 1. : 0., which == 2 ? 1. : 0. };
+      if (which < 3 && wanted.Parts[i] != 0.)
+      {
+        equations.Append(rows[0], i, axis, wanted.Parts[i], wanted.Points + 3 * i, which);
+      }
+      if (which < 3 || length == 0.)
+      {
+        continue;
+      }
+      const SparseRows<long long>& tangent = rows[which - 2];
+      double square = 0.; // of all weights: so tangents of all points count alike
+      for (vtkIdType k = tangent.Offsets[i]; k < tangent.Offsets[i + 1]; ++k)
+      {
+        square += tangent.Weights[k] * tangent.Weights[k];
+      }
+      const double unit = std::sqrt(square) * length;
+      const double along[3] = { n[0] / unit, n[1] / unit, n[2] / unit };
+      hasTangent |= square > 0. && equations.Append(tangent, i, along, 1., axis, which);
     }
-    wanted.Parts[i] != 0. ? equations.AppendPlace(rows[0], i) : void();
-    if ((n[0] != 0. || n[1] != 0. || n[2] != 0.) && !equations.AppendNormal(rows + 1, i))
+    if (!hasTangent && whole.AreOwn[i])
     {
       found.FirstFlat = found.NumberFlat++ == 0 ? i : found.FirstFlat;
     }

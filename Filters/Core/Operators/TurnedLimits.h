@@ -4,10 +4,9 @@
  * Control points whose limits have given normals, and lie at given places (Mathematics 8,
  * Interpolation).
  *
- * A normal n is two linear equations, n . t = 0 for both tangents t of the limit. The control
- * points of the tangents move along n alone, in proportion to their weights in t: that is the least
- * change which satisfies the equations. A place moves its own control point, as in Interpolation.h.
- * All of them are found together.
+ * A normal n is two linear equations, n . t = 0 for both tangents t of the limit, whose control
+ * points move along n in proportion to their weights in t: the least change that satisfies them. A
+ * place moves its own control point, as in Interpolation.h. All of them are found together.
  */
 #ifndef SubdivisionObjects_TurnedLimits_h
 #define SubdivisionObjects_TurnedLimits_h

@@ -437,14 +437,13 @@ void PointArrays::TurnLimits(const SparseRows<long long>* rows, const Interpolat
   {
     warn(std::to_string(found.NumberFlat) + " points, the first is point " +
       std::to_string(found.FirstFlat) +
-      ", have no tangents there: the filter ignores their normals (array index 14). Give them "
-      "zero vectors.");
+      ", have no tangents. Give them zero vectors as normals (array index 14).");
   }
   if (!found.HasConverged)
   {
-    warn("No control points give the limit the normals (array index 14) and points that are "
-         "prescribed, or the mesh is too large to solve for them: the filter ignores the normals. "
-         "Leave points around each of them free (array index 13).");
+    warn(
+      "No control points give the limit these normals (array index 14) and points, or the mesh "
+      "is too large: the filter ignores the normals. Leave points around free (array index 13).");
     normals.assign(normals.size(), 0.);
     FindTurnedLimits(rows, wanted, limits, shifts);
   }

@@ -234,7 +234,16 @@ EmbeddedPoints* Deformation::FindEmbedded(
   if (isNew)
   {
     ++this->Embedded.NumberOfBuilds;
-    std::unique_ptr<EmbeddedPoints> made = this->Embed(points, slopes, options);
+    std::unique_ptr<EmbeddedPoints> made = options.OnLimit
+      ? EmbedOnLimit(points, slopes, options, this->Rest)
+      : EmbedPoints(points, options.Outside, this->Rest);
+    if (!made && !options.OnLimit)
+    {
+      options.Fail("More than " + std::to_string(EmbeddedPoints::MostOthers) +
+        " points are in no solid cell of the rest mesh, which is too many to find the nearest "
+        "place for each. The output is the input. Deform the object in parts, or set OutsidePoints "
+        "to Leave.");
+    }
     if (!made)
     {
       return nullptr;
@@ -264,25 +273,6 @@ EmbeddedPoints* Deformation::FindEmbedded(
             "leaves those that are not finite."));
   }
   return embedded;
-}
-
-/// Embeds points anew. Null after an error.
-std::unique_ptr<EmbeddedPoints> Deformation::Embed(
-  vtkDataArray* points, bool slopes, const DeformationOptions& options)
-{
-  if (options.OnLimit)
-  {
-    return EmbedOnLimit(points, slopes, options, this->Rest);
-  }
-  std::unique_ptr<EmbeddedPoints> made = EmbedPoints(points, options.Outside, this->Rest);
-  if (!made)
-  {
-    options.Fail("More than " + std::to_string(EmbeddedPoints::MostOthers) +
-      " points are in no solid cell of the rest mesh, which is too many to find the nearest "
-      "place for each. The output is the input. Deform the object in parts, or set OutsidePoints "
-      "to Leave.");
-  }
-  return made;
 }
 
 void Deformation::Clear()

@@ -38,8 +38,6 @@ private:
   EmbeddedPoints* GuessEmbedded(vtkDataArray* points, const DeformationOptions& options) const;
   EmbeddedPoints* FindEmbedded(
     vtkDataArray* points, bool slopes, const DeformationOptions& options);
-  std::unique_ptr<EmbeddedPoints> Embed(
-    vtkDataArray* points, bool slopes, const DeformationOptions& options);
   void Use(EmbeddedPoints& embedded);
 
   RestMesh Rest;

@@ -332,7 +332,7 @@ TEST(Constraints, FaultsAreTold)
     EXPECT_NE(said[0].find(part), std::string::npos) << said[0];
   };
   const auto input = Choose(mesh.Get(), { { 3, 1.5 } });
-  expect(run(input, true, "Chosen", nullptr), "1.500000 at point 3");
+  expect(run(input, true, "Chosen", nullptr), "1.500000 of point 3");
   expect(run(input, true, "Absent", nullptr), "is not there");
   EXPECT_TRUE(run(input, false, "Chosen", nullptr).empty());
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -340,7 +340,7 @@ TEST(Constraints, FaultsAreTold)
     "not finite at point 7");
   expect(run(input, false, nullptr, "Chosen"), "need three components");
   expect(run(WithNormals(mesh, { { 7, { 0., 1., 1. } } }), true, nullptr, "Wanted"),
-    "No control points give");
+    "No control points give the limit these normals");
   Model model = MakeTorus(true);
   model.Points.push_back({ 0., 0., 0. });
   expect(run(WithNormals(MakeInput(model), { { 168, { 0., 1., 1. } } }), false, nullptr, "Wanted"),
