@@ -16,6 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "Examples" / "Tutorials"
 PAGE = ROOT / "Documentation" / "Guide" / "Tutorials.md"
 SCRIPTS = sorted(FOLDER.glob("[0-9]*.py"))
+PROGRAMS = sorted((ROOT / "Examples" / "Cxx" / "Tutorials").glob("[0-9]*.cxx"))
 WITH_DISPLAY = ROOT / "Testing" / "Python" / "with_display"
 
 
@@ -38,6 +39,12 @@ class Tutorials(unittest.TestCase):
             text = path.read_text(encoding="utf-8")
             self.assertLessEqual(len(text.splitlines()), 40, path.name)
             self.assertIn("In ParaView: ", text.replace("In\nParaView", "In ParaView"), path.name)
+
+    def test_the_first_five_are_there_in_cxx(self):
+        self.assertEqual([path.stem for path in PROGRAMS], [path.stem for path in SCRIPTS[:5]])
+        for path in PROGRAMS:
+            self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), 40, path.name)
+            self.assertIn(f"Examples/Cxx/Tutorials/{path.name}", PAGE.read_text(encoding="utf-8"))
 
     def test_the_page_has_them_in_order(self):
         text = PAGE.read_text(encoding="utf-8")
