@@ -60,9 +60,9 @@ public:
   /**
    * Whether edges are split along which the point array at index 5 has a larger error
    * (AttributeErrorKind; of a vector) than AttributeTolerance; not if a value is not finite, which
-   * a warning counts. Where there is no array, and nothing else is asked for, geometry counts, and
-   * where default options ask for nothing, length: edges are split that are longer than half of
-   * the longest one. On by default.
+   * a warning counts. Where there is no array, and nothing else is asked for, edges are split as by
+   * RefineByGeometricError, and where default options ask for nothing, all edges are split, once.
+   * On by default.
    */
   vtkSetMacro(RefineByAttributeError, bool);
   vtkGetMacro(RefineByAttributeError, bool);

@@ -211,12 +211,12 @@ public:
 
   ///@{
   /**
-   * Whether points on creases, joints and corners are doubled in an output with LimitNormals: a
-   * point, with the normal there, for each side. So a picture is smooth up to sharp edges and sharp
-   * at them, as with the Splitting of vtkPolyDataNormals, and SmoothShading adds normals where
-   * something is sharp, too. Such an output is for pictures: its cells come apart at sharp edges,
-   * it has no global ids, and further filters take it as any other mesh. Off by default. It has no
-   * effect for DOO_SABIN and MIDEDGE, which have nothing sharp, and where several partitions share
+   * Whether points on creases, joints and corners are doubled in an output with LimitNormals of
+   * LOOP or CATMULL_CLARK: a point, with the normal there, for each side; joints that are blended
+   * keep one. So a picture is smooth up to sharp edges and sharp at them, as with the Splitting of
+   * vtkPolyDataNormals, and SmoothShading adds normals where something is sharp, too. Such an
+   * output is for pictures: its cells come apart at sharp edges, it has no global ids, and further
+   * filters take it as any other mesh. Off by default; no effect where several partitions share
    * the surface.
    */
   vtkSetMacro(SplitSharpEdges, bool);

@@ -274,7 +274,7 @@ BARS = [Ratio(*row, bar) for row, bar in zip(WITH_LIMITS, LIMIT_BARS)]
 BARS += [Ratio(scheme, surface(scheme, "quads", 6), surface_limit(scheme, "quads", 6, "small"), 2.5)
          for scheme in ("4-8", "Midedge")]
 # Normals and limits of a finished level are masks over its rings: at most as much again. Surfaces miss it still, Loop by
-# 2.7 times the plain instructions with normals, 2.3 with limits: README.md, which says what was tried.
+# 2.9 times the plain instructions with normals, 2.4 with limits: README.md, which says what was tried.
 FRAMES = [(scheme, surface(scheme, mesh, levels), ("surfaceframes", scheme + "-%s", mesh, levels))
           for scheme, mesh, levels in SURFACES]
 FRAMES += [("tetrahedra, box spline", CUBE, ("filter", "%s", "cube", 3)),

@@ -93,20 +93,17 @@ inline double GetTangentBound(const double* weights, vtkIdType size, double larg
 }
 
 /// FindNormal where this takes few operations. False: the tangents may be parallel within `error`,
-/// or their squares are too large or too small. `most`: of the sum of their squares, if it is
-/// known.
-[[gnu::always_inline]] inline bool FindClearNormal(const double* a, const double* b, double error,
-  double normal[3], double most = std::numeric_limits<double>::infinity())
+/// or their squares are too large or too small.
+[[gnu::always_inline]] inline bool FindClearNormal(
+  const double* a, const double* b, double error, double normal[3])
 {
   const auto square = [](const double* x) { return x[0] * x[0] + x[1] * x[1] + x[2] * x[2]; };
   const double across[3] = { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0] };
   const double length = square(across);
   // The square of a sum of three is at most three times the sum of squares.
-  const double factorOfError = 3.01 * error * error;
-  if (!(length > factorOfError * (most + error * error) ||
-        length > factorOfError * (square(a) + square(b) + error * error)) ||
-    !(length > 1e-200 && length < 1e200))
+  const double least = 3.01 * error * error * (square(a) + square(b) + error * error);
+  if (!(length > least && length > 1e-200 && length < 1e200))
   {
     return false;
   }

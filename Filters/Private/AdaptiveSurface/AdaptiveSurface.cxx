@@ -150,8 +150,7 @@ private:
       const auto size = static_cast<vtkIdType>(marks.size());
       if ((this->Others ? this->Others->Sum(size) : size) == 0)
       {
-        if (round == 0 && this->Wanted.AreDefaults &&
-          this->Wanted.GoByLength(this->FindLongestEdge(criteria.GetCoordinates())))
+        if (round == 0 && this->Wanted.SplitAll())
         {
           return this->RunRounds(mostCells);
         }
@@ -167,16 +166,6 @@ private:
     }
     this->TellNotes(notes);
     return true;
-  }
-  double FindLongestEdge(const ContinuedArray& points) const
-  {
-    const Buffer<Id>& ends = this->Control.Mesh.EdgeVertices;
-    double longest = 0.;
-    for (const vtkIdType i : InTurn(ends.size() / 2))
-    {
-      longest = std::max(longest, points.GetDistance(ends[2 * i], ends[2 * i + 1], 0.));
-    }
-    return longest;
   }
   /// Does the splits of a round, and returns how many did not fit.
   vtkIdType Split(const std::vector<AdaptiveMark<Id>>& marks, vtkIdType mostCells)

@@ -64,16 +64,11 @@ struct RefinementOptions
   int MaximumLevel = 3;
   /// Whether nobody chose criteria or tolerances: then something is refined on each mesh.
   bool AreDefaults = false;
-  /// Where they ask for nothing: edges longer than half of the longest one. Returns whether that is
-  /// new.
-  bool GoByLength(double longest)
+  /// Where they ask for nothing: all edges, once. Returns whether that is new.
+  bool SplitAll()
   {
-    std::vector<double> lengths{ longest };
-    if (this->AreDefaults && this->FindLargest)
-    {
-      this->FindLargest(lengths);
-    }
-    this->MaximumEdgeLength = this->AreDefaults ? 0.5 * lengths[0] : this->MaximumEdgeLength;
+    this->MaximumEdgeLength = this->AreDefaults ? 0. : this->MaximumEdgeLength;
+    this->MaximumLevel = std::min(this->MaximumLevel, this->AreDefaults ? 1 : 60);
     this->ByEdgeLength = this->ByEdgeLength || this->AreDefaults;
     return std::exchange(this->AreDefaults, false);
   }

@@ -134,25 +134,6 @@ RedGreenRun::Marks<Id> RedGreenRun::FindMarksOf(
     [errors](Id a, Id b) { return errors ? errors->GetError(a, b) : 0.; }, notes);
 }
 
-/// Of the cells of the input.
-template <typename Id>
-double RedGreenRun::FindLongestEdge(const RedGreen<Id>& state) const
-{
-  const InputCandidates<Id> cells(this->Mesh, state);
-  double longest = 0.;
-  for (const vtkIdType i : InTurn(cells.GetSize()))
-  {
-    for (const vtkIdType a : cells.GetPoints(i))
-    {
-      for (const vtkIdType b : cells.GetPoints(i))
-      {
-        longest = std::max(longest, this->Criteria->GetCoordinates().GetDistance(a, b, 0.));
-      }
-    }
-  }
-  return longest;
-}
-
 /// Returns false if Progress asks to stop.
 template <typename Id>
 bool RedGreenRun::RunRounds(SharedState<Id>& shared, const RedGreenLimit<Id>& limit)
@@ -188,8 +169,7 @@ bool RedGreenRun::RunRounds(SharedState<Id>& shared, const RedGreenLimit<Id>& li
     }
     if (this->Others ? this->Others->Sum(static_cast<vtkIdType>(marks.size())) == 0 : marks.empty())
     {
-      if (round == 0 && options.AreDefaults &&
-        this->Options.Criteria.GoByLength(this->FindLongestEdge(*state)))
+      if (round == 0 && this->Options.Criteria.SplitAll())
       {
         return this->RunRounds(shared, limit);
       }

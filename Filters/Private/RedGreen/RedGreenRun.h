@@ -59,8 +59,6 @@ private:
   Marks<Id> FindMarksOf(const Cells& cells, const RedGreen<Id>& state, RedGreenErrors<Id>* errors,
     MarkNotes& notes) const;
   template <typename Id>
-  double FindLongestEdge(const RedGreen<Id>& state) const;
-  template <typename Id>
   void StopAtLimit(std::vector<Marks<Id>>& rounds, SharedState<Id>& shared);
   bool IsTooLarge(vtkIdType ownCells);
   bool AllAgree(bool own) const { return this->Others ? this->Others->Sum(own ? 0 : 1) == 0 : own; }

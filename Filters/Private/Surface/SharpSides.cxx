@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Private/Surface/SharpSides.h"
+// A point and a normal for each side of what is sharp (SurfaceFrames.h).
+#include "Private/Surface/SurfaceFrames.h"
 
 #include "Core/Memory/Ids.h"
-#include "Core/Memory/Vectors.h"
-#include "Core/Operators/ShadingNormals.h"
-#include "Core/Operators/TangentErrors.h"
 #include "Private/ArrayNames.h"
 #include "Private/Values/PointCopies.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <numeric>
 
@@ -18,24 +15,18 @@ namespace subdivision
 namespace
 {
 
-/// Finds the normal of the limit in a sector. False: its ends are not those of the curve through
-/// the vertex, and this is no corner.
+/// The normal of the limit in a sector at a corner, or at a curve along all that is sharp there.
 template <typename Id>
 bool FindNormalOfSector(const SurfaceLevel<Id>& level, LimitFinder<Id>& finder, Id corner,
-  const SectorEnds<Id>& ends, const double* points, double normal[3])
+  const double* points, double normal[3])
 {
-  const PolygonMesh<Id>& mesh = level.Mesh;
-  const Id vertex = mesh.Vertices[corner];
+  const Id vertex = level.Mesh.Vertices[corner];
   const VertexTag tag = level.Tags.Vertices[vertex];
-  std::vector<Id> curve;
-  CollectCurveEdges(mesh, level.Tags, vertex, curve);
-  for (const Id end : { ends.First.GetHalfEdgeIn(mesh), ends.Last.GetHalfEdgeOut(mesh) })
+  std::vector<Id> sharp;
+  CollectSharpEdges(level.Mesh, level.Tags, vertex, sharp);
+  if (tag != VertexTag::Corner && (tag != VertexTag::Curve || sharp.size() != 2))
   {
-    if (ends.Size == 0 || tag == VertexTag::Blend ||
-      (tag == VertexTag::Curve && std::count(curve.begin(), curve.end(), mesh.Edges[end]) == 0))
-    {
-      return false;
-    }
+    return false;
   }
   double tangents[2][3];
   double error = 0.;
@@ -45,33 +36,15 @@ bool FindNormalOfSector(const SurfaceLevel<Id>& level, LimitFinder<Id>& finder, 
     row.Clear();
     finder.AppendOfSector(corner, kind, row);
     row.Apply(points, tangents[kind == LimitKind::Tangent2], 3);
-    error += GetTangentError(row, 0, points, SingleUnit);
+    error += GetTangentError(row, 0, points, DoubleUnit);
   }
   return FindClearNormal(tangents[0], tangents[1], error, normal);
 }
 
-/// The mean of the normals at corners.
-template <typename Id>
-void FindMeanNormal(const PolygonMesh<Id>& mesh, const std::vector<Id>& corners,
-  const Buffer<unsigned char>& turned, const double* points, double normal[3])
-{
-  const auto at = [&](Id corner) { return points + 3 * vtkIdType(mesh.Vertices[corner]); };
-  ShadingStar star;
-  for (const Id corner : corners)
-  {
-    const auto a = vectors::Subtract(at(mesh.Next(corner)), at(corner));
-    const auto b = vectors::Subtract(at(mesh.Previous(corner)), at(corner));
-    const double middle[3] = { (a[0] + b[0]) / 3., (a[1] + b[1]) / 3., (a[2] + b[2]) / 3. };
-    star.AddCorner(
-      a.data(), b.data(), middle, !turned.empty() && turned[mesh.GetFace(corner)] ? -1. : 1.);
-  }
-  star.FindNormal(normal);
-}
-
 }
 
 template <typename Id>
-SharpSides FindSharpSides(const SurfaceLevel<Id>& level, LimitFinder<Id>* finder,
+SharpSides FindSharpSides(const SurfaceLevel<Id>& level, LimitFinder<Id>& finder,
   const Buffer<unsigned char>& turned, vtkDataArray* points)
 {
   const PolygonMesh<Id>& mesh = level.Mesh;
@@ -79,52 +52,46 @@ SharpSides FindSharpSides(const SurfaceLevel<Id>& level, LimitFinder<Id>* finder
   Buffer<double> converted;
   const double* x = ReadDoubles(
     points->GetVoidPointer(0), points->GetDataType(), points->GetNumberOfValues(), converted);
-  std::vector<Id> all;
-  std::vector<Id> own;
-  const auto listFan = [&mesh](Id corner, std::vector<Id>& corners)
-  { VisitFan(mesh, corner, [&](const FanStep<Id>& s) { corners.push_back(s.Corner); }); };
+  std::vector<Id> corners;
   ForEachInTurn(mesh.NumberOfVertices,
     [&](vtkIdType v)
     {
       const auto before = sides.Normals.size();
-      all.clear();
-      if (level.Tags.Vertices[v] != VertexTag::Smooth || mesh.FindJoint(static_cast<Id>(v)))
+      corners.clear();
+      if (level.Tags.Vertices[v] != VertexTag::Smooth)
       {
-        VisitFans(mesh, static_cast<Id>(v), [&](Id corner) { listFan(corner, all); });
+        VisitFans(mesh, static_cast<Id>(v),
+          [&](Id corner)
+          {
+            VisitFan(
+              mesh, corner, [&](const FanStep<Id>& step) { corners.push_back(step.Corner); });
+          });
       }
-      for (const Id corner : all)
+      bool areKnown = true;
+      for (const Id corner : corners)
       {
-        if (sides.OfCorners[corner] >= 0)
+        const SectorEnds<Id> ends = FindSectorEnds(mesh, level.Tags, corner);
+        double normal[3];
+        if (sides.OfCorners[corner] >= 0 || !areKnown)
         {
           continue;
         }
-        const SectorEnds<Id> ends = FindSectorEnds(mesh, level.Tags, corner);
-        own.clear();
+        areKnown = ends.Size > 0 && FindNormalOfSector(level, finder, corner, x, normal);
         FanStep<Id> step = ends.First;
         for (int i = 0; i < ends.Size; ++i, step.Advance(mesh))
         {
-          own.push_back(step.Corner);
+          sides.OfCorners[step.Corner] = static_cast<vtkIdType>(sides.Normals.size() / 3);
         }
-        own.empty() ? listFan(corner, own) : void();
-        for (const Id one : own)
+        const bool isTurned = !turned.empty() && turned[mesh.GetFace(ends.First.Corner)];
+        for (int c = 0; c < 3 && areKnown; ++c)
         {
-          sides.OfCorners[one] = static_cast<vtkIdType>(sides.Normals.size() / 3);
+          sides.Normals.push_back(isTurned ? -normal[c] : normal[c]);
         }
-        double normal[3];
-        if (!finder || !FindNormalOfSector(level, *finder, corner, ends, x, normal))
-        {
-          FindMeanNormal(mesh, own, turned, x, normal);
-        }
-        else if (!turned.empty() && turned[mesh.GetFace(ends.First.Corner)])
-        {
-          std::transform(normal, normal + 3, normal, std::negate<>());
-        }
-        sides.Normals.insert(sides.Normals.end(), normal, normal + 3);
       }
-      if (sides.Normals.size() == before + 3) // there is one side alone
+      if (!areKnown || sides.Normals.size() == before + 3) // there is one side alone
       {
         sides.Normals.resize(before);
-        for (const Id corner : all)
+        for (const Id corner : corners)
         {
           sides.OfCorners[corner] = -1;
         }
@@ -143,11 +110,9 @@ void SplitSides(const SharpSides& sides, const PolygonMesh<Id>& mesh, vtkPolyDat
   for (const vtkIdType corner : InTurn(sides.OfCorners.size()))
   {
     const auto vertex = static_cast<vtkIdType>(mesh.Vertices[corner]);
-    const auto next = static_cast<vtkIdType>(sources.size());
+    const auto next = isUsed[vertex] ? static_cast<vtkIdType>(sources.size()) : vertex;
     if (sides.OfCorners[corner] >= 0 &&
-      points
-        .emplace(std::make_pair(vertex, sides.OfCorners[corner]), isUsed[vertex] ? next : vertex)
-        .second)
+      points.emplace(std::make_pair(vertex, sides.OfCorners[corner]), next).second)
     {
       isUsed[vertex] ? sources.push_back(vertex) : void();
       isUsed[vertex] = true;

@@ -4,21 +4,24 @@
 #include "Core/Memory/CellSplits.h"
 #include "Core/Memory/Ids.h"
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Sorting.h"
 #include "Core/Surfaces/Scheme/SkippedLevel.h"
 #include "Private/Run/SizeChecks.h"
 #include "Private/Surface/SurfaceCreases.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -61,14 +64,17 @@ bool IsClosed(const SurfaceCells& cells)
 double CountIrregular(const SurfaceCells& cells, bool hasTriangles, int levels)
 {
   std::vector<vtkIdType> faces(static_cast<std::size_t>(cells.NumberOfPoints)); // at each point
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  edges.reserve(cells.Corners.size());
   double irregular = 0.;
   for (const auto face : InTurn(cells.GetNumberOfFaces()))
   {
     const vtkIdType begin = cells.FaceOffsets[face];
     const vtkIdType end = cells.FaceOffsets[face + 1];
     irregular += hasTriangles || end - begin == 4 ? 0. : 1. + static_cast<double>(end - begin);
-    for (vtkIdType i = begin; i < end; ++i)
+    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
     {
+      edges.emplace_back(cells.Corners[last], cells.Corners[i]);
       ++faces[cells.Corners[i]];
     }
   }
@@ -77,38 +83,16 @@ double CountIrregular(const SurfaceCells& cells, bool hasTriangles, int levels)
   {
     irregular += size == 0 || size == regular ? 0. : 1. + static_cast<double>(size);
   }
-  // The other ends of the edges that begin at each point, in order.
-  std::vector<vtkIdType> places(faces.size() + 1, 0);
-  std::partial_sum(faces.begin(), faces.end(), places.begin() + 1);
-  std::vector<vtkIdType> ends(cells.Corners.size());
-  for (const auto face : InTurn(cells.GetNumberOfFaces()))
-  {
-    const vtkIdType begin = cells.FaceOffsets[face];
-    const vtkIdType end = cells.FaceOffsets[face + 1];
-    for (vtkIdType i = begin, last = end - 1; i < end; last = i++)
-    {
-      const vtkIdType a = cells.Corners[last];
-      ends[places[a + 1] - faces[a]--] = cells.Corners[i];
-    }
-  }
-  for (const std::size_t a : InTurn(faces.size()))
-  {
-    std::sort(ends.begin() + places[a], ends.begin() + places[a + 1]);
-  }
+  StableSort(edges, std::less<>());
   double open = 0.;
-  for (const std::size_t a : InTurn(faces.size()))
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    for (vtkIdType i = places[a]; i < places[a + 1]; ++i)
+    const auto [a, b] = edges[i];
+    if (i > 0 && edges[i - 1] == edges[i])
     {
-      if (i > places[a] && ends[i - 1] == ends[i])
-      {
-        return std::numeric_limits<double>::infinity();
-      }
-      open += std::binary_search(ends.begin() + places[ends[i]], ends.begin() + places[ends[i] + 1],
-                static_cast<vtkIdType>(a))
-        ? 0.
-        : 1.;
+      return std::numeric_limits<double>::infinity();
     }
+    open += std::binary_search(edges.begin(), edges.end(), std::make_pair(b, a)) ? 0. : 1.;
   }
   return irregular + std::ldexp(3. * open, levels - 1);
 }
@@ -118,7 +102,7 @@ bool SkipsLast(
   const SurfaceCells& cells, const SurfaceScheme<int>& scheme, const SurfaceOptions& options)
 {
   if (options.Levels == 0 || options.Places || options.Others || HasFlags(options.Features) ||
-    !cells.Segments.empty())
+    options.SplitSharpEdges || !cells.Segments.empty())
   {
     return false;
   }
@@ -186,11 +170,16 @@ double EstimateBytes(vtkPolyData* input, const SurfaceCells& cells,
     : isSmooth            ? ofFace.Smooth
                           : ofFace.Sharp;
   const double items = size.Faces + size.Lines;
+  const double ofSides =
+    options.SplitSharpEdges ? 2.5 * ofFace.Ids : 0.; // and a copy of the output
   const double data = GetBytesPerTuple(input->GetPointData());
-  const double frames =
-    24. * ((options.GenerateLimitNormals ? 1. : 0.) + (options.GenerateTangents ? 2. : 0.));
+  const bool areFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT &&
+    options.OutputPointsPrecision != vtkAlgorithm::DOUBLE_PRECISION;
+  const double frames = (options.GenerateLimitNormals ? (areFloat ? 12. : 24.) : 0.) +
+    (options.GenerateTangents ? 48. : 0.);
   return BytesOfPages + items * (ofFace.Ids + GetBytesPerTuple(input->GetCellData())) +
-    size.Points * (24. + data + frames) + (size.HasLargeIds ? 2. : 1.) * beside * items +
+    size.Points * (24. + data + frames) +
+    ((size.HasLargeIds ? 2. : 1.) * beside + ofSides) * items +
     (readsLimits ? 1.2 : 0.3) * data * size.Points;
 }
 

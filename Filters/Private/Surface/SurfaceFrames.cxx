@@ -88,7 +88,6 @@ public:
   void Sum(vtkIdType begin, vtkIdType end)
   {
     this->First = begin;
-    this->Squares = 0.;
     this->Rows[0].Clear();
     this->Append(LimitKind::Tangent1, begin, end, this->Rows[0]);
     this->Rows[0].ForRuns(0, [&](const auto& run) { this->SumBoth(run); });
@@ -104,7 +103,7 @@ public:
   {
     const double* a = this->GetTangent(0, i);
     const double* b = this->GetTangent(1, i);
-    if (FindClearNormal(a, b, this->Bounds[0][i] + this->Bounds[1][i], normal, this->Squares))
+    if (FindClearNormal(a, b, this->Bounds[0][i] + this->Bounds[1][i], normal))
     {
       return true;
     }
@@ -141,11 +140,22 @@ private:
                                          : this->SumPairs<0, 0>(run, second);
       }
     }
-    this->SumRuns(0, run);
-    const vtkIdType begin = this->First + run.FirstRow;
-    this->Rows[1].Clear();
-    this->Append(LimitKind::Tangent2, begin, begin + run.Count, this->Rows[1]);
-    this->Rows[1].ForRuns(run.FirstRow, [&](const auto& rows) { this->SumRuns(1, rows); });
+    const auto sum = [&](int which, LimitKind kind)
+    {
+      const vtkIdType begin = this->First + run.FirstRow;
+      this->Rows[1].Clear();
+      this->Append(kind, begin, begin + run.Count, this->Rows[1]);
+      this->SumRows(which, this->Rows[1].GetRows(run.FirstRow));
+    };
+    if constexpr (std::is_same<Run, WeightedRows<Id>>::value)
+    {
+      this->SumRows(0, run);
+    }
+    else
+    {
+      sum(0, LimitKind::Tangent1);
+    }
+    sum(1, LimitKind::Tangent2);
   }
   /// Both tangents in one pass over the columns, which they share. The own vertex counts for
   /// neither where `First` is 1. `Size` as of SumEqualRows.
@@ -153,13 +163,10 @@ private:
   void SumPairs(const EqualRows<Id>& run, const double* second)
   {
     const int size = Size == 0 ? run.Size : Size;
-    double known[2 * Size + 2];
-    std::vector<double> other(Size == 0 ? 2 * size : 0);
-    double* const weights = Size == 0 ? other.data() : known;
+    std::vector<double> weights;
     for (int k = 0; k < size; ++k)
     {
-      weights[2 * k] = run.Weights[k];
-      weights[2 * k + 1] = second[k];
+      weights.insert(weights.end(), { run.Weights[k], second[k] });
     }
     const Id* columns = run.Columns;
     Sums<2> sums[3]; // of each coordinate, for both
@@ -172,9 +179,9 @@ private:
       for (int k = First; k < size; ++k)
       {
         const Real* point = this->Points + 3 * static_cast<vtkIdType>(columns[k]);
-        sums[0].Add(static_cast<double>(point[0]), weights + 2 * k);
-        sums[1].Add(static_cast<double>(point[1]), weights + 2 * k);
-        sums[2].Add(static_cast<double>(point[2]), weights + 2 * k);
+        sums[0].Add(static_cast<double>(point[0]), weights.data() + 2 * k);
+        sums[1].Add(static_cast<double>(point[1]), weights.data() + 2 * k);
+        sums[2].Add(static_cast<double>(point[2]), weights.data() + 2 * k);
       }
       for (int c = 0; c < 3; ++c)
       {
@@ -184,45 +191,26 @@ private:
       columns += size;
     }
   }
-  /// The same of one tangent.
-  void SumRow(int which, vtkIdType row, const Id* columns, const double* weights, vtkIdType size)
-  {
-    Sums<3> sums;
-    sums.Clear();
-    for (vtkIdType k = size > 0 && weights[0] == 0. ? 1 : 0; k < size; ++k)
-    {
-      sums.Add(weights[k], this->Points + 3 * static_cast<vtkIdType>(columns[k]));
-    }
-    sums.Write(this->Values[which] + 3 * row);
-  }
   void SetBounds(int which, vtkIdType row, vtkIdType count, const double* weights, vtkIdType size)
   {
     std::fill_n(
       this->Bounds[which] + row, count, GetTangentBound(weights, size, this->Largest, Unit));
-    const double sum = std::accumulate(weights, weights + size, 0.,
-      [](double before, double weight) { return before + std::abs(weight); });
-    this->Squares = std::max(this->Squares, 6.01 * std::pow(sum * this->Largest, 2));
   }
-  template <typename Run>
-  void SumRuns(int which, const Run& run)
+  void SumRows(int which, const WeightedRows<Id>& rows)
   {
-    if constexpr (std::is_same<Run, EqualRows<Id>>::value)
+    Sums<3> sums;
+    for (vtkIdType i = 0; i < rows.Count; ++i)
     {
-      this->SetBounds(which, run.FirstRow, run.Count, run.Weights, run.Size);
-      for (vtkIdType i = 0; i < run.Count; ++i)
+      const Id* column = rows.Columns + rows.Offsets[i];
+      const double* weights = rows.Weights + rows.Offsets[i];
+      const vtkIdType size = rows.Offsets[i + 1] - rows.Offsets[i];
+      this->SetBounds(which, rows.FirstRow + i, 1, weights, size);
+      sums.Clear();
+      for (vtkIdType k = size > 0 && weights[0] == 0. ? 1 : 0; k < size; ++k)
       {
-        this->SumRow(which, run.FirstRow + i, run.Columns + i * run.Size, run.Weights, run.Size);
+        sums.Add(weights[k], this->Points + 3 * static_cast<vtkIdType>(column[k]));
       }
-    }
-    else if constexpr (std::is_same<Run, WeightedRows<Id>>::value)
-    {
-      for (vtkIdType i = 0; i < run.Count; ++i)
-      {
-        const vtkIdType begin = run.Offsets[i];
-        const vtkIdType size = run.Offsets[i + 1] - begin;
-        this->SetBounds(which, run.FirstRow + i, 1, run.Weights + begin, size);
-        this->SumRow(which, run.FirstRow + i, run.Columns + begin, run.Weights + begin, size);
-      }
+      sums.Write(this->Values[which] + 3 * (rows.FirstRow + i));
     }
   }
 
@@ -234,7 +222,6 @@ private:
   RowBlock<Id> Rows[2];
   double Values[2][3 * BlockSize];
   double Bounds[2][BlockSize];
-  double Squares = 0.; ///< of two tangents, at most
 };
 
 /// The face whose orientation the tangents of a vertex have, or -1.

@@ -7,10 +7,13 @@
 #define SubdivisionObjects_SurfaceFrames_h
 
 #include "Core/Operators/TangentErrors.h"
+#include "Core/Surfaces/Scheme/SurfaceLimits.h"
 #include "Core/Surfaces/Steps/SurfaceSteps.h"
 
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
+
+class vtkPolyData;
 
 namespace subdivision
 {
@@ -33,6 +36,22 @@ struct LimitFrames
 template <typename Id>
 LimitFrames FindLimitFrames(const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned,
   vtkDataArray* points, bool normals, bool tangents);
+
+/// The sides of what is sharp: a side is a sector whose normal in the limit is known.
+struct SharpSides
+{
+  Buffer<vtkIdType> OfCorners; ///< the side of each corner of a face; -1: its vertex has no other
+  std::vector<double> Normals; ///< three numbers for each side
+};
+
+/// The sides of a last level. `points`: its vertices before they go to the limit.
+template <typename Id>
+SharpSides FindSharpSides(const SurfaceLevel<Id>& level, LimitFinder<Id>& finder,
+  const Buffer<unsigned char>& turned, vtkDataArray* points);
+
+/// Gives the output, whose polygons are the faces, a point for each side.
+template <typename Id>
+void SplitSides(const SharpSides& sides, const PolygonMesh<Id>& mesh, vtkPolyData* output);
 
 /// Turns the second tangent of each vertex whose face, `faceOf(vertex)` or -1, is turned over, so
 /// that normals have one side in each part; `turned`: as of FindTurnedFaces.

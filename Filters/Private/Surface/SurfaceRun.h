@@ -16,7 +16,6 @@
 #include "Private/Places/NearestPlaces.h"
 #include "Private/Places/PlaceOutput.h"
 #include "Private/Surface/PartsOfCells.h"
-#include "Private/Surface/SharpSides.h"
 #include "Private/Surface/SurfaceCreases.h"
 #include "Private/Surface/SurfaceFrames.h"
 #include "Private/Surface/SurfaceNumbers.h"
@@ -221,7 +220,9 @@ private:
   bool SplitsSides() const
   {
     return this->Options.SplitSharpEdges && this->MakesNormals && !this->Options.Others &&
-      !this->Options.Factors && !this->Scheme->IsDual();
+      !this->Options.Factors &&
+      (this->Options.Scheme == SurfaceSchemeKind::Loop ||
+        this->Options.Scheme == SurfaceSchemeKind::CatmullClark);
   }
   LimitFrames FindFrames(
     const SurfaceSteps<Id>& steps, const Buffer<unsigned char>& turned, vtkDataArray* points)
@@ -231,9 +232,7 @@ private:
       const SurfaceLevel<Id>& last = GetLast(steps);
       LimitFinder<Id> finder(last, last.Tags, *this->Scheme,
         this->Options.Features.ModifiedBoundary, this->Options.Features.Weights);
-      const bool isKnown = this->Options.Scheme == SurfaceSchemeKind::Loop ||
-        this->Options.Scheme == SurfaceSchemeKind::CatmullClark;
-      this->Sides = FindSharpSides(last, isKnown ? &finder : nullptr, turned, points);
+      this->Sides = FindSharpSides(last, finder, turned, points);
     }
     return FindLimitFrames(
       steps, turned, points, this->MakesNormals, this->Options.GenerateTangents);

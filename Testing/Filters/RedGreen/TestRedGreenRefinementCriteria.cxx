@@ -86,7 +86,7 @@ TEST(RedGreenCriteria, TheArrayIsTheNamedOneTheActiveOneOrTheFirstFloatingOne)
   EXPECT_GT(run(nullptr), box->GetNumberOfCells());
   EXPECT_EQ(run("labels"), box->GetNumberOfCells()); // the same everywhere
   box->GetPointData()->SetActiveScalars("labels");
-  EXPECT_EQ(run(nullptr), 8 * box->GetNumberOfCells()); // by the length of edges then
+  EXPECT_EQ(run(nullptr), 8 * box->GetNumberOfCells()); // all once
   EXPECT_EQ(run("first"), run("first"));
   EXPECT_GT(run("first"), box->GetNumberOfCells());
 }

@@ -14,7 +14,7 @@ class LinearSurfaceScheme : public PrimalScheme<Id, 3>
 {
 public:
   bool HasLimitStars() const override { return false; }
-  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 24., 24., 88., 242., 24. }; }
+  FaceMemory GetFaceMemory() const override { return { 32., 0.5, 24., 24., 88., 232., 24. }; }
   void AppendRows(const SurfaceLevel<Id>& level, const SurfaceTags<Id>&, vtkIdType begin,
     vtkIdType end, RowBlock<Id>& rows) const override
   {

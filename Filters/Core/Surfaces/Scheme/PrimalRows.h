@@ -70,22 +70,15 @@ public:
   /// Whether all vertices of the faces of an edge, or of a face, are regular.
   bool IsRegularEdge(const IrregularRows<Id>& others, Id edge) const
   {
-    if (others.IsEmpty())
-    {
-      return true;
-    }
     const Id corner = this->Mesh.EdgeCorners[edge];
     return this->IsRegularFace(others, corner / Arity) &&
       this->IsRegularFace(others, this->Mesh.Twins[corner] / Arity);
   }
   bool IsRegularFace(const IrregularRows<Id>& others, vtkIdType face) const
   {
-    if (others.IsEmpty())
-    {
-      return true;
-    }
     const Id* x = this->Mesh.Vertices.data() + Arity * face;
-    return std::none_of(x, x + Arity, [&others](Id v) { return others.IsIrregular(v); });
+    return others.IsEmpty() ||
+      std::none_of(x, x + Arity, [&others](Id v) { return others.IsIrregular(v); });
   }
 
   bool FindEdgePoint(Id edge, Id* columns) const
