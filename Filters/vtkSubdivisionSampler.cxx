@@ -42,7 +42,7 @@ std::string ToText(double number)
 constexpr subdivision::SampleGrid NoGrid{ { { 0., 0., 0. } }, { { 1., 1., 1. } },
   { { 0, -1, 0, -1, 0, -1 } } };
 
-/// What levels and pieces depend on.
+/// The inputs and times on which levels and pieces depend.
 subdivision::SampledObject::Key GetKey(vtkInformationVector** inputVector, vtkMTimeType modified)
 {
   subdivision::SampledObject::Key key{ {}, modified, {}, {} };

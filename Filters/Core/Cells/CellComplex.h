@@ -106,7 +106,7 @@ CellComplex<Id> BuildCellComplex(CellList<Id> cells);
 template <typename Id>
 CellComplex<Id> RefineCellComplex(const CellComplex<Id>& complex);
 
-/// The children of all cells, those of a cell one after another.
+/// The children of all cells; the children of one cell follow each other.
 template <typename Id>
 CellList<Id> SplitCells(const CellComplex<Id>& complex);
 
@@ -118,7 +118,7 @@ void FindPointsOfStep(const CellComplex<Id>& complex, vtkIdType cell, Id* points
 template <typename Id>
 Buffer<Id> FindFirstChildren(const CellList<Id>& cells);
 
-/// Gives values of cells to their parts: those of cell c begin at first[c].
+/// Gives values of cells to their parts: the parts of cell c begin at first[c].
 template <typename Id, typename Value>
 std::vector<Value> GiveTo(const Buffer<Id>& first, const std::vector<Value>& values)
 {

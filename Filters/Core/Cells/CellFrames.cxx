@@ -25,7 +25,7 @@ FramePoint Subtract(const FramePoint& a, const FramePoint& b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-/// Axes that a simplex does not have are those of the coordinates.
+/// Axes that a simplex does not have are axes of the coordinates.
 CornerShares ShareSimplex(const std::vector<unsigned char>& simplex,
   const std::vector<FramePoint>& corners, const FramePoint& place)
 {
@@ -104,7 +104,7 @@ std::vector<FramePoint> GetChildCorners(
   for (std::size_t i = 0; i < all.size(); ++i)
   {
     const std::vector<unsigned char>& of = GetCellTable(shape).PointCorners[child.Points[i]];
-    // The middle of an octahedron is that of two opposite corners: a sixth would be rounded.
+    // The middle of an octahedron is the mean of two opposite corners: a sixth would be rounded.
     const std::size_t size = of.size() == 6 ? 2 : of.size();
     for (std::size_t k = 0; k < 3 * size; ++k)
     {

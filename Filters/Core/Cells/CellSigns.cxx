@@ -27,7 +27,7 @@ const SolidPlaces& GetModel(CellShape shape)
                                   : octahedron;
 }
 
-/// Adds what the fan of a face around its middle contributes to the volume, seen from the middle of
+/// Adds the volume between the fan of a face around its middle and the middle of
 /// the solid, and how large that could be.
 void AddFace(
   const std::vector<unsigned char>& face, const SolidPlaces& x, double& volume, double& most)

@@ -180,7 +180,7 @@ public:
   /// Sets normals that the filter made, three numbers for each current point, in the type of the
   /// points. Finish adds them to the output as LimitNormals, its active normals.
   void SetLimitNormals(const Buffer<double>& normals);
-  /// Takes those of an earlier output with the same points; null: there are none.
+  /// Takes the arrays of an earlier output with the same points; null: there are none.
   void ReuseLimitNormals(vtkDataArray* normals) { this->Normals = normals; }
   bool HasLimitNormals() const { return this->Normals != nullptr; }
   /// The same with two tangents of each point, as LimitTangent1 and LimitTangent2.

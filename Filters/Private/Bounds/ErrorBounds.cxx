@@ -228,7 +228,7 @@ private:
     }
   }
 
-  /// Whether the steps to the level after two more are those by the plain rules.
+  /// Whether the steps to the level after two more have the plain rules.
   bool IsPlain() const
   {
     const auto levels = static_cast<std::size_t>(this->GetLevel(2));

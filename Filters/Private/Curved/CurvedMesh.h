@@ -32,7 +32,7 @@ struct CurvedMesh
   const vtkIdType* GetNodes(vtkIdType cell) const { return this->Nodes + this->Offsets[cell]; }
 };
 
-/// What is proved of each cell; cells that are no solids are valid, with 1.
+/// The proofs of each cell; cells that are no solids are valid, with 1.
 struct CurvedProof
 {
   std::vector<unsigned char> Valid;

@@ -64,7 +64,7 @@ void SetCells(const CurvedNodes& nodes, vtkUnstructuredGrid* mesh);
 /// cell array of the mesh says which cell each of them was.
 void KeepNodes(CurvedNodes&& nodes, vtkPointSet* mesh, std::vector<CurvedNodes>& kept);
 
-/// That array: the number of the nodes among those that were kept, and the cell.
+/// That array: the number of the nodes among the kept ones, and the cell.
 constexpr const char* CurvedCellName = "SubdivisionCurvedCell";
 
 /// The weights of the corners of a straight cell at a node.

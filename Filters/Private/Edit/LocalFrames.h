@@ -21,7 +21,7 @@ namespace subdivision
 /// Whether a mesh has the arrays of tangents and normals.
 bool HasFrameArrays(vtkPointSet* mesh);
 
-/// What is known at the points of a mesh.
+/// The tangents, normals and bends at the points of a mesh.
 class FramedMesh
 {
 public:
@@ -36,7 +36,7 @@ public:
   /// Three vectors that turn and stretch with the object, one after the other, and returns 3. On
   /// straight curves 1, the tangent; at joints, corners and inside solids 0.
   int FindVectors(vtkIdType point, double* vectors) const;
-  /// Three of length 1, perpendicular to each other; those of the world where there are less.
+  /// Three of length 1, perpendicular to each other; the axes of the world where there are less.
   void FindAxes(vtkIdType point, double* axes) const;
   /// Whether the point is inside a solid.
   bool IsInside(vtkIdType point) const;

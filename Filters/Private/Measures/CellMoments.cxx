@@ -493,7 +493,7 @@ std::map<std::pair<int, double>, std::vector<vtkIdType>> ListCells(const MomentI
   return lists;
 }
 
-/// Adds the sums of blocks, one after another, with what rounding left out.
+/// Adds the sums of blocks, one after another, with the parts that rounding left out.
 void AddSums(const std::vector<MomentRow>& blocks, MomentRow& row)
 {
   std::vector<double> left(row.Sums.size(), 0.);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeasureTable.cxx
- * The table of what was measured, and the arrays of its derivatives.
+ * The table of measures, and the arrays of their derivatives.
  */
 #include "Private/Measures/Measures.h"
 

@@ -23,7 +23,7 @@ class vtkTable;
 namespace subdivision
 {
 
-/// What is to be measured, and how well.
+/// Which measures are wanted, and how exact.
 struct MeasureOptions
 {
   /// Finds the cell array of materials and the point array of densities of a mesh, which may be
@@ -96,7 +96,7 @@ private:
   bool ShareRows(MomentRows& rows) const;
   /// The measures of some cells on a level: measure, mass, centroid, inertia, integrals, means.
   std::vector<double> MakeFigures(const MomentRow& row) const;
-  /// Their limits, and those of extremes: least and largest values of all components.
+  /// Their limits, and the limits of extremes: least and largest values of all components.
   std::vector<Estimate> FindLimits(const Key& key, bool ofAllMaterials) const;
   /// The sizes of figures and of extremes, in this order.
   std::vector<double> FindScales(const MomentRow& row) const;

@@ -135,7 +135,7 @@ inline std::uint64_t HashLoop(const vtkIdType* ids, vtkIdType size)
   return sum;
 }
 
-/// Sorts hashes, and keeps those that are there once.
+/// Sorts hashes, and keeps the hashes that are there once.
 inline void KeepSingles(std::vector<std::uint64_t>& hashes)
 {
   StableSort(hashes, std::less<>());

@@ -103,7 +103,7 @@ private:
     Id Simplex;                    ///< its number; -1: the vertex is inside a solid
     std::array<double, 3> Weights; ///< of the corners
   };
-  /// The ends of vertices at places of sites, which have numbers behind those of the state.
+  /// The ends of vertices at places of sites, whose numbers follow the numbers of the state.
   using Midpoints = std::vector<std::array<Id, 2>>;
   /// The limits over a level, of each thread, from round to round.
   template <typename LevelType>

@@ -21,7 +21,7 @@ namespace subdivision
 template <typename Id>
 struct RefinementMark
 {
-  double Error = 0.; ///< as a multiple of what is allowed
+  double Error = 0.; ///< as a multiple of the allowed error
   RedGreenLeaf<Id> Leaf;
   Id Ends[2] = { -1, -1 }; ///< -1: all edges
 };

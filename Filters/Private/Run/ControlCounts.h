@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ControlCounts.h
- * What cells are before the first level: for programs that tell how much a filter would make.
+ * How many cells there are before the first level: for programs that tell what a filter makes.
  */
 #ifndef SubdivisionObjects_ControlCounts_h
 #define SubdivisionObjects_ControlCounts_h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Ports.h
- * What filters take at ports and make there, and what they ask of an input that they need whole,
+ * The types that filters take at ports and make there, and how they ask for a whole input,
  * whatever part of their output is wanted.
  */
 #ifndef SubdivisionObjects_Ports_h

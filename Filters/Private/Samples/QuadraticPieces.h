@@ -34,7 +34,7 @@ struct QuadraticPiece
 /// Where the nodes of a piece are.
 std::array<std::array<double, 3>, 10> GetNodes(
   vtkPointSet* mesh, const QuadraticPiece& piece, int dimension);
-/// The largest distance between the middle of an edge and that of its ends.
+/// The largest distance between the middle of an edge and the middle of its ends.
 double FindBend(const std::array<std::array<double, 3>, 10>& nodes, int dimension);
 
 struct QuadraticPieces

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file SampledObject.h
- * What vtkSubdivisionSampler keeps: the pieces of the object, and the grid.
+ * The pieces of the object and the grid, which vtkSubdivisionSampler keeps.
  */
 #ifndef SubdivisionObjects_SampledObject_h
 #define SubdivisionObjects_SampledObject_h
@@ -29,7 +29,7 @@ struct SampledObject
   void SetLevel(vtkDataObject* level, bool measures);
   /// Bounds of what is sampled, without thickness, and the other figures, are those of all ranks.
   void Agree(vtkMultiProcessController* controller);
-  /// Those of the solids on all ranks, after the arrays are found.
+  /// The materials of the solids on all ranks, after the arrays are found.
   void FindMaterials(vtkMultiProcessController* controller);
 
   /// The inputs of the pipeline and when they were modified, when the filter was, and the distances

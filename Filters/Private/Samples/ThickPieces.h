@@ -21,7 +21,7 @@ public:
   /// Calls act(i, j, k, piece, dimension, weights) for the samples of a slab that are within half
   /// of the thickness of a piece: once or more for each, the last time with the nearest piece and
   /// its distance squared.
-  /// Pieces of less dimensions come first, and take what is theirs from others.
+  /// Pieces of less dimensions come first, and take their samples from others.
   using Act = std::function<void(int, int, int, const ListedPiece&, int, const Place&, double)>;
   void ForSlab(vtkIdType number, const Act& act) const;
 

@@ -199,7 +199,7 @@ private:
     this->Made.Warnings.push_back(this->Describe());
     this->Cells = std::move(this->Made);
   }
-  /// Centres keep the order of cells, among those that are new.
+  /// Centres keep the order of cells, among the new points.
   vtkIdType MoveCentre(vtkIdType point, vtkIdType source, std::vector<vtkIdType>& moved)
   {
     if (point < this->InputPoints)

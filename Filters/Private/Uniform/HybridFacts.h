@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file HybridFacts.h
- * What the output of a mesh of cells of all types tells of its cells.
+ * Facts about cells that the output of a mesh of cells of all types tells.
  */
 #ifndef SubdivisionObjects_HybridFacts_h
 #define SubdivisionObjects_HybridFacts_h

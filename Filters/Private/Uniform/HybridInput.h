@@ -38,7 +38,7 @@ struct DerivedPart
   double Sharpness; ///< infinite: it stays sharp
 };
 
-/// What strata depend on beside the cells of the control mesh.
+/// The choices on which strata depend beside the cells of the control mesh.
 struct HybridChoices
 {
   SingularSimplices Singular; ///< for ever

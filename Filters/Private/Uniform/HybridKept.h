@@ -35,11 +35,11 @@ struct KeptHybrid : KeptEntry
   SharedArrays Handed;                 ///< of Output
   LimitOperators<Id> Limit;            ///< normals and tangents; none: nobody asked for them yet
 
-  /// Whether cells are those of the control mesh, and nobody wrote into the output's cells.
+  /// Whether cells equal the control mesh, and nobody wrote into the output's cells.
   bool HasCells(const CellList<Id>& cells) const;
   /// Keeps the output's cells, unless they depend on points.
   void TakeOutput(HybridOutput<Id> output);
-  /// What WriteHybridCells reads of the last level.
+  /// The parts of the last level that WriteHybridCells reads.
   CellComplex<Id> CopyLast() const;
   std::size_t GetMemorySize() const override;
 };

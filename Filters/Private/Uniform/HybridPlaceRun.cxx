@@ -253,7 +253,7 @@ void ForParts(HybridPlaceLimits<Id>& limits, const std::vector<HybridPlace>& pla
   }
 }
 
-/// The limits at places of a search. Those of a cell are looked at together, as they share patches.
+/// The limits at places of a search. Places of a cell are looked at together: they share patches.
 template <typename Id>
 PlaceValues EvaluateInOrder(const HybridSearch<Id>& search, HybridPlaceLimits<Id>& limits,
   const std::vector<NearestPlace>& nearest, bool valuesOnly, const double* coordinates)

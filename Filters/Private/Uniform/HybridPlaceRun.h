@@ -17,8 +17,8 @@ class vtkPointSet;
 namespace subdivision
 {
 
-/// Finds what Options.Places asks for on the control level. `sources`: the cell of the input of
-/// each cell. Returns false after an error, or if Progress asks to stop.
+/// Finds the limits for which Options.Places asks, on the control level. `sources`: the cell of the
+/// input of each cell. Returns false after an error, or if Progress asks to stop.
 template <typename Id>
 bool FindPlacesKeepingTypes(const HybridLevel<Id>& level, const std::vector<vtkIdType>& sources,
   vtkPointSet* input, const UniformOptions& options, PointArrays& points);

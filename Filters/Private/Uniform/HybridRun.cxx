@@ -239,7 +239,7 @@ private:
     }
   }
 
-  /// What the children of the last level need while they are no level.
+  /// The data that the children of the last level need while they are no level.
   void EndStep(const CellComplex<Id>& complex)
   {
     if (this->Points->HasWeights())
@@ -324,7 +324,7 @@ private:
     }
   }
 
-  /// Gives the sources of cells, and what is known of their control cells, to their children.
+  /// Gives the sources of cells, and the facts about their control cells, to their children.
   void GiveToChildren(const CellList<Id>& cells)
   {
     const Buffer<Id> first = FindFirstChildren(cells);

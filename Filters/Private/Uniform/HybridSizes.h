@@ -18,7 +18,7 @@ namespace subdivision
 /// Whether the rules of the last level are read, whatever the mesh is.
 bool MakesLastLevel(const UniformOptions& options);
 
-/// What is made of the last level beside its cells.
+/// Which parts of the last level are made beside its cells.
 struct HybridPlan
 {
   bool MakesLast = false;

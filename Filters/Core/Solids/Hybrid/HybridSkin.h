@@ -4,8 +4,8 @@
  * Tangents of a level whose solids are not made: the same as Skin.h for cells of all types.
  *
  * The *skin* of a level of solids is its faces with one solid, as a level of polygons. Where no
- * rule there reads the inside of a solid, the skin is refined alone, and its vertices are some of
- * those of the whole. A level without solids is its own skin.
+ * rule there reads the inside of a solid, the skin is refined alone, and its vertices are some
+ * vertices of the whole. A level without solids is its own skin.
  */
 #ifndef SubdivisionObjects_HybridSkin_h
 #define SubdivisionObjects_HybridSkin_h

@@ -235,7 +235,7 @@ private:
     part.Triangles.push_back(sector.Triangle);
   }
 
-  /// The first step differs at joints, so the limits of control vertices are those of the level.
+  /// The first step differs at joints, so limits of control vertices are taken on the level.
   void MakeControlLimits(std::vector<Id>&& vertices, Step& step)
   {
     step.Limits = BuildLimitRows(this->Control, this->Creases);

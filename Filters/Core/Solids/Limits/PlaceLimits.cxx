@@ -53,7 +53,7 @@ public:
     this->ReadPatch(patch);
     return this->Columns;
   }
-  /// The sums of what FindColumns read last: one weight for each column.
+  /// The sums of the rows that FindColumns read last: one weight for each column.
   void Sum(const LimitPlace<Id>& place, const PlaceInPatch<Id>& patch, const PlaceRow<Id>& ready,
     const PlaceSums& sums)
   {

@@ -114,7 +114,7 @@ private:
     const bool isMarked = tetrahedron::IsMarked(this->Complex.EdgeInTet(tet, edge));
     return faces.size() == (isMarked ? 4 : 6);
   }
-  /// A sphere of 24 triangles, each with one vertex of a marked edge, is that of the lattice.
+  /// A sphere of 24 triangles, each with one vertex of a marked edge, is a sphere of the lattice.
   bool IsRegularVertex(Id vertex) const
   {
     constexpr int neighbours = 14;

@@ -38,7 +38,7 @@ inline bool IsOutwards(vtkIdType side, const std::vector<vtkIdType>& inverted)
   return (side % 2 == 1) == std::binary_search(inverted.begin(), inverted.end(), side - side % 2);
 }
 
-/// Local matrices are full ones. Stars of more edges are those of the level.
+/// Local matrices are full ones. Larger stars are read off the level, not off the limit.
 constexpr std::size_t MostEdgesOfStars = 200;
 
 template <typename Id>
@@ -54,7 +54,7 @@ struct ShadingStars
   struct Star
   {
     Id Row = 0; ///< which normal is made
-    // What begins here ends where that of the next star does:
+    // Rows, corners and lines from here to the first ones of the next star:
     vtkIdType FirstRow = 0;
     vtkIdType FirstCorner = 0;
     vtkIdType FirstLine = 0;
@@ -83,7 +83,7 @@ struct ShadingCells
   std::vector<Id> Points;    ///< the vertices that are cells
 };
 
-/// Those of a level that was made as a whole, so many steps after the control level.
+/// The cells of a level that was made as a whole, so many steps after the control level.
 template <typename Level>
 ShadingCells<typename Level::IdType> FindShadingCells(const Level& level, int steps);
 

@@ -57,7 +57,7 @@ double SharpLattice<Id, Lattice>::GetWeight(const LatticeVertex<Id>& vertex, int
   {
     return std::min(1., own);
   }
-  // Of the ends of the edge in the middle of which the vertex is those that are control vertices.
+  // The ends, if they are control vertices, of the edge in whose middle the vertex is.
   const std::array<bool, 2> isControl{ { weights[1] == 1, weights[0] == 1 } };
   const auto isAtSector = [&](const std::vector<SectorEdge<Id>>& sectors)
   {

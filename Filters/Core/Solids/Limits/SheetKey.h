@@ -76,7 +76,7 @@ struct SheetKey
   }
 };
 
-/// What a part of a face depends on after a step of subdivision.
+/// The neighbourhood on which a part of a face depends after a step of subdivision.
 struct SheetChild
 {
   SheetKey Key;

@@ -54,7 +54,7 @@ public:
   {
     this->Flag();
   }
-  /// Whether no row of the skin reads what is not kept.
+  /// Whether rows of the skin read only vertices that are kept.
   bool IsClosed() const;
   /// The sides of its faces.
   Rows<vtkIdType> FindSides(const ControlSolids& solids) const;
@@ -215,7 +215,7 @@ LevelType Skin<LevelType>::Refine(int steps, Buffer<Id>& vertices) const
 
 }
 
-/// Calls compute(points, frames) for Tangents, and spreads what it writes to all vertices.
+/// Calls compute(points, frames) for Tangents, and spreads the frames to all vertices.
 template <typename Id>
 template <std::size_t Count, typename Compute>
 void SkinTangents<Id>::ComputeFrames(const Coordinates& points, vtkIdType size,

@@ -5,7 +5,7 @@
  *
  * The *skin* of a level is a level of its own: cells that are no solids, boundaries of solids, and
  * curves. No rule there reads the inside of a solid, unless a joint blends them. So the skin alone
- * is refined, and its vertices are some of those of the whole.
+ * is refined, and its vertices are some vertices of the whole.
  */
 #ifndef SubdivisionObjects_Skin_h
 #define SubdivisionObjects_Skin_h

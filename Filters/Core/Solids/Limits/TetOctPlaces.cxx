@@ -108,7 +108,7 @@ private:
         return;
       }
     }
-    // The diagonals lead from the middle of an edge without corner 0 to that of the opposite one.
+    // The diagonals join the middle of an edge without corner 0 and the middle of the opposite one.
     const std::array<Vertex, 4> tet = this->Tet;
     for (int k = 0; k < 3; ++k)
     {

@@ -356,7 +356,7 @@ void SqrtThreeScheme<Id>::AppendLimitRows(const SurfaceLevel<Id>& level,
     rows);
 }
 
-/// Whether a limit row of a smooth vertex is that of the ring after the next step.
+/// Whether a limit row of a smooth vertex is made from the ring after the next step.
 template <typename Id>
 bool SqrtThreeScheme<Id>::NeedsNext(
   const SurfaceLevel<Id>& level, const std::vector<FanStep<Id>>& steps) const
