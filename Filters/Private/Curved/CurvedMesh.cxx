@@ -3,7 +3,6 @@
 
 #include "Core/Memory/Loops.h"
 #include "Core/Memory/Sorting.h"
-#include "Private/Arrays/Arrays.h"
 #include "Private/Curved/CellJacobian.h"
 #include "Private/Curved/CurvedNodes.h"
 #include "Private/Curved/CurvedParts.h"
@@ -470,14 +469,12 @@ void ProveAndRepair(const std::vector<CurvedPart*>& parts, Exchange& ranks,
   bool areValid = true;
   for (CurvedPart* part : parts)
   {
-    const auto given = Contiguous(part->Points);
-    const PointReader reader(given);
     CurvedProof& proof = part->Proof;
     proof.Valid.assign(part->Mesh.Shapes.size(), 1);
     proof.Scaled.assign(part->Mesh.Shapes.size(), 1.);
     ForBounds(
       part->Mesh, part->Mesh.GetNumberOfCells(), [](vtkIdType i) { return i; },
-      [&](vtkIdType, int, vtkIdType node) { return reader.Get(node); },
+      [part](vtkIdType, int, vtkIdType node) { return ReadPoint(part->Points, node); },
       [&](vtkIdType cell, const CellJacobian::Bound& bound) { proof.Set(cell, bound); });
     areValid =
       areValid && std::find(proof.Valid.begin(), proof.Valid.end(), 0) == proof.Valid.end();

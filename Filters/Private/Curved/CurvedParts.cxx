@@ -82,10 +82,9 @@ JoinedParts::JoinedParts(const std::vector<CurvedPart*>& parts)
 void JoinedParts::Add(const CurvedPart& part)
 {
   const auto start = static_cast<vtkIdType>(this->Points.size());
-  const PointReader reader(part.Points);
   for (const vtkIdType i : InTurn(part.Points->GetNumberOfTuples()))
   {
-    NodePoint p = reader.Get(i);
+    NodePoint p = ReadPoint(part.Points, i);
     std::for_each(p.begin(), p.end(), [](double& x) { x += 0.; }); // no place has two zeros
     this->Points.push_back(p);
   }

@@ -21,39 +21,13 @@ namespace subdivision
 
 using NodePoint = std::array<double, 3>;
 
-/// Reads points in several threads.
-class PointReader
+/// May be called by several threads.
+inline NodePoint ReadPoint(vtkDataArray* points, vtkIdType i)
 {
-public:
-  explicit PointReader(vtkDataArray* points)
-    : Points(points)
-    , Single(points->GetDataType() == VTK_FLOAT ? points->GetVoidPointer(0) : nullptr)
-    , Double(points->GetDataType() == VTK_DOUBLE ? points->GetVoidPointer(0) : nullptr)
-  {
-  }
-  NodePoint Get(vtkIdType i) const
-  {
-    NodePoint p;
-    if (this->Double)
-    {
-      std::copy_n(static_cast<const double*>(this->Double) + 3 * i, 3, p.begin());
-    }
-    else if (this->Single)
-    {
-      std::copy_n(static_cast<const float*>(this->Single) + 3 * i, 3, p.begin());
-    }
-    else
-    {
-      this->Points->GetTuple(i, p.data());
-    }
-    return p;
-  }
-
-private:
-  vtkDataArray* Points;
-  const void* Single;
-  const void* Double;
-};
+  NodePoint p;
+  points->GetTuple(i, p.data());
+  return p;
+}
 
 /// Coordinates, bit by bit.
 using Bits = std::array<std::int64_t, 3>;

@@ -6,8 +6,8 @@
 #include "Private/Reading/CellReader.h"
 #include "Private/Roots/SplitRoots.h"
 
-#include "vtkMath.h"
 #include "vtkPointSet.h"
+#include "vtkTetra.h"
 
 #include <algorithm>
 #include <array>
@@ -276,26 +276,19 @@ private:
     return this->Known.Find(shape, place);
   }
   /// The same place in halves of the edges of a tetrahedron. Returns whether it is inside.
-  static bool FindInTet(const std::array<FrameNode, 8>& corners, const std::array<double, 3>& at,
+  static bool FindInTet(const std::array<FrameNode, 8>& corners, std::array<double, 3> at,
     std::array<double, 3>& inside)
   {
-    double edges[3][3];
-    double way[3];
-    for (int axis = 0; axis < 3; ++axis)
+    double places[4][3];
+    double weights[4];
+    for (std::size_t k = 0; k < 4; ++k)
     {
-      way[axis] = at[axis] - corners[0][axis];
-      for (int k = 0; k < 3; ++k)
-      {
-        edges[k][axis] = corners[k + 1][axis] - corners[0][axis];
-      }
+      std::copy(corners[k].begin(), corners[k].end(), places[k]);
     }
-    const double volume = vtkMath::Determinant3x3(edges[0], edges[1], edges[2]);
-    inside[0] = 2. * vtkMath::Determinant3x3(way, edges[1], edges[2]) / volume;
-    inside[1] = 2. * vtkMath::Determinant3x3(edges[0], way, edges[2]) / volume;
-    inside[2] = 2. * vtkMath::Determinant3x3(edges[0], edges[1], way) / volume;
+    vtkTetra::BarycentricCoords(at.data(), places[0], places[1], places[2], places[3], weights);
+    std::transform(weights + 1, weights + 4, inside.begin(), [](double w) { return 2. * w; });
     constexpr double rounding = 1e-9;
-    return *std::min_element(inside.begin(), inside.end()) > -rounding &&
-      inside[0] + inside[1] + inside[2] < 2. + rounding;
+    return *std::min_element(weights, weights + 4) > -rounding;
   }
 
   const Level& Coarse;
