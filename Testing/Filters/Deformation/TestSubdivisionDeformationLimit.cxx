@@ -53,9 +53,9 @@ vtkSmartPointer<vtkPolyData> MakeSheet()
   return sheet;
 }
 
-/// The largest jump of the derivative of the deformation, from differences along a line between
-/// points that are 1e-3 apart.
-double FindLargestJump(vtkSubdivisionDeformation* filter, const Grid& cage, const Grid& bent)
+/// What becomes of unit vectors along x at points of a line along x that are 1e-3 apart.
+vtkSmartPointer<vtkDataArray> TurnVectors(
+  vtkSubdivisionDeformation* filter, const Grid& cage, const Grid& bent)
 {
   constexpr int size = 2001;
   constexpr double step = 1e-3;
@@ -77,10 +77,15 @@ double FindLargestJump(vtkSubdivisionDeformation* filter, const Grid& cage, cons
   filter->SetRestMeshData(cage);
   filter->SetDeformedMeshData(bent);
   filter->Update();
-  vtkDataArray* turned =
-    vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray("x");
-  double most = 0.; // of what second differences leave: a smooth slope has h^2 there
-  for (int i = 1; i + 1 < size; ++i)
+  return vtkPointSet::SafeDownCast(filter->GetOutputDataObject(0))->GetPointData()->GetArray("x");
+}
+
+/// The largest second difference of the derivative of the deformation: a smooth slope has h^2.
+double FindLargestJump(vtkSubdivisionDeformation* filter, const Grid& cage, const Grid& bent)
+{
+  const auto turned = TurnVectors(filter, cage, bent);
+  double most = 0.;
+  for (vtkIdType i = 1; i + 1 < turned->GetNumberOfTuples(); ++i)
   {
     for (int c = 0; c < 3; ++c)
     {
@@ -146,6 +151,13 @@ TEST(SubdivisionDeformationLimit, DerivativesDoNotJump)
   vtkNew<vtkSubdivisionDeformation> limit;
   limit->SetEmbeddingToLimit();
   EXPECT_LT(FindLargestJump(limit, cage, bent), 2e-6) << "second derivatives are continuous";
+  const auto turned = TurnVectors(limit, cage, Moved(cage, Affine));
+  for (vtkIdType i = 0; i < turned->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_NEAR(turned->GetComponent(i, 0), 1.1, 1e-10);
+    EXPECT_NEAR(turned->GetComponent(i, 1), -0.5, 1e-10);
+    EXPECT_NEAR(turned->GetComponent(i, 2), 0.1, 1e-10);
+  }
 }
 
 TEST(SubdivisionDeformationLimit, Planes)

@@ -297,6 +297,26 @@ TEST(SubdivisionCageSource, HugsItsInput)
   }
 }
 
+/// Boxes around single points, which would meet in edges and points.
+TEST(SubdivisionCageSource, HugsSinglePoints)
+{
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    const Grid cloud = MakeCloud(25, { 0., 0., 0. }, { 1., 1., 1. }, seed);
+    vtkNew<vtkSubdivisionCageSource> source;
+    source->SetInputDataObject(0, cloud);
+    source->SetNumberOfCells(12, 11, 10);
+    source->SetMargin(0.);
+    source->HugOn();
+    const Made made = MakeCage(source);
+    EXPECT_EQ(CountSurfaceEdgesOfOthers(made.Cage), 0);
+    Deformer filter;
+    filter->SetOutsidePointsToError();
+    filter.Run(cloud, made.Cage, made.Cage);
+    EXPECT_TRUE(filter.WasSilent());
+  }
+}
+
 /// A skin has an inside, too: a cage has no cavity.
 TEST(SubdivisionCageSource, FillsAHuggedSkin)
 {
@@ -322,6 +342,10 @@ TEST(SubdivisionCageSource, FillsAHuggedSkin)
   }
   EXPECT_GT(volume, 4. / 3. * vtkMath::Pi());
   EXPECT_LT(volume, 8.) << "which the box has";
+  Deformer filter;
+  filter->SetOutsidePointsToError();
+  filter.Run(MakeGrid({ { 0., 0., 0. } }, {}), made.Cage, made.Cage);
+  EXPECT_TRUE(filter.WasSilent()) << "the middle is inside";
   points.assign(1, { 0., 0., std::numeric_limits<double>::quiet_NaN() });
   points.push_back({ 0., 0., 0. });
   source->SetInputDataObject(0, MakeGrid(points, {}));
