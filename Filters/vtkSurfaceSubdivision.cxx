@@ -134,6 +134,11 @@ bool vtkSurfaceSubdivision::ReadNormals(
   }
   std::string fault =
     normals && normals->GetNumberOfComponents() != 3 ? "need three components" : "";
+  if (normals && !this->HasOutput())
+  {
+    options.Fail("Normals (array index 14) have no operator of few entries: take no array.");
+    return false;
+  }
   for (vtkIdType i = 0; normals && fault.empty() && i < 3 * normals->GetNumberOfTuples(); ++i)
   {
     if (!std::isfinite(normals->GetComponent(i / 3, static_cast<int>(i % 3))))

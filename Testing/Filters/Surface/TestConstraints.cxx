@@ -7,6 +7,7 @@
 #include "SurfaceTools.h"
 
 #include "vtkSubdivisionModelSource.h"
+#include "vtkSubdivisionOperator.h"
 
 using namespace surfacetools;
 using multi_dimensional_subdivision_tools::LoadModel;
@@ -307,6 +308,20 @@ TEST(Constraints, NormalsOfTheLimit)
       }
     }
   }
+}
+
+TEST(Constraints, NormalsHaveNoOperator)
+{
+  vtkNew<Filter> filter;
+  vtkNew<Messages> heard;
+  heard->Watch(filter);
+  filter->SetScheme(Filter::LOOP);
+  Prescribed(filter);
+  filter->SetInputData(WithNormals(MakeInput(MakeTorus(true)), { { 7, { 0., 1., 1. } } }));
+  vtkNew<vtkSubdivisionOperator> found;
+  EXPECT_FALSE(filter->ComputeOperator(found));
+  ASSERT_EQ(heard->Errors.size(), 1u);
+  EXPECT_NE(heard->Errors[0].find("have no operator"), std::string::npos) << heard->Errors[0];
 }
 
 /// Where nothing is free there are no control points; faults of arrays are errors.
