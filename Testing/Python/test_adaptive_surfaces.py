@@ -50,7 +50,7 @@ class InParaView(unittest.TestCase):
             simple.AdaptiveSurfaceSubdivision(Input=self.sphere), simple.RedGreenRefinement(Input=self.sphere)))
         self.assertEqual(redgreen - adaptive, {"Shape", "CellsInOtherCells", "PartArray", "JointOfEachCell",
                                                "InterpolatePoints", "InterpolateArrays", "InterpolatedArrays",
-                                               "InterpolationArray", "InterpolationWeight", "VolumeScheme", "OutputCells", "CellOrder"})
+                                               "InterpolatedPoints", "InterpolationWeight", "VolumeScheme", "OutputCells", "CellOrder"})
         self.assertEqual(adaptive - redgreen, {"GenerateTangents", "CompactIds"})
 
     def test_selection(self):
