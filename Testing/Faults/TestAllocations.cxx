@@ -31,11 +31,20 @@ void AddArrays(vtkDataSet* data)
 {
   vtkNew<vtkDoubleArray> values;
   values->SetName("Values");
+  vtkNew<vtkDoubleArray> weights;
+  weights->SetName("Weights");
+  vtkNew<vtkDoubleArray> directions;
+  directions->SetName("Directions");
+  directions->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     values->InsertNextValue(static_cast<double>(i % 5));
+    weights->InsertNextValue(i % 2 == 0 ? 1. : 0.);
+    directions->InsertNextTuple3(0., 0., i == 1 ? 1. : 0.); // others are free
   }
   data->GetPointData()->SetScalars(values);
+  data->GetPointData()->AddArray(weights);
+  data->GetPointData()->AddArray(directions);
   vtkNew<vtkIntArray> materials;
   materials->SetName("Labels");
   for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
@@ -165,6 +174,16 @@ int FindEntry(const subdivide::Option& option, const std::string& name)
   return -1;
 }
 
+/// An array that the option takes.
+const char* ChooseArray(const subdivide::Option& option)
+{
+  const std::string name = option.Property;
+  return option.Association == vtkDataObject::CELL ? "Labels"
+    : name == "InterpolationArray"                 ? "Weights"
+    : name == "NormalArray"                        ? "Directions"
+                                                   : "Values";
+}
+
 vtkSmartPointer<vtkAlgorithm> MakeFilter(
   const subdivide::Filter& what, const Tried& tried, vtkDataSet* input)
 {
@@ -180,8 +199,8 @@ vtkSmartPointer<vtkAlgorithm> MakeFilter(
     }
     if (tried.Set == Settings::All && option.Type == subdivide::Kind::Array)
     {
-      const char* name = option.Association == vtkDataObject::CELL ? "Labels" : "Values";
-      filter->SetInputArrayToProcess(option.Index, option.Port, 0, option.Association, name);
+      filter->SetInputArrayToProcess(
+        option.Index, option.Port, 0, option.Association, ChooseArray(option));
     }
     const bool isEntry = tried.Property == option.Property;
     if (isEntry)
