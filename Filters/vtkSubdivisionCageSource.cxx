@@ -410,6 +410,7 @@ std::vector<char> vtkSubdivisionCageSource::FindHugged(
   }
   boxes.FillCavities();
   boxes.JoinThroughFaces();
+  boxes.FillCavities(); // which the joining may have closed
   return boxes.GetKept();
 }
 
@@ -457,13 +458,21 @@ int vtkSubdivisionCageSource::RequestData(
   bool failed = false;
   subdivision::ConnectToFilter(this, options, failed);
   std::vector<char> hugged; // by all ranks together
+  const auto hug = [&]
+  {
+    hugged = this->FindHugged(input, bounds, margin);
+    return true;
+  };
+  const bool hasRanks = this->Controller && this->Controller->GetNumberOfProcesses() > 1;
   const bool isHugged = !this->Hug || !input ||
-    subdivision::DoWork(traits, options,
-      [&]
-      {
-        hugged = this->FindHugged(input, bounds, margin);
-        return true;
-      });
+    (hasRanks ? hug() : subdivision::DoWork(traits, options, hug)); // other ranks wait for this one
+  if (isHugged && !hugged.empty() && std::count(hugged.begin(), hugged.end(), 1) == 0)
+  {
+    options.Fail(
+      "No point or cell of the input has finite coordinates alone, so there is nothing to "
+      "put a cage around. Repair them, or switch Hug off.");
+    return 1;
+  }
   vtkInformation* info = outputVector->GetInformationObject(0);
   if (info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) > 0)
   {

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <iomanip>
@@ -38,11 +39,25 @@ struct Layers
   std::function<double(vtkIdType, std::size_t)> Cover;
 };
 
-std::string ToText(double number)
+std::string ToText(double number, int digits = 15)
 {
   std::ostringstream text;
-  text << std::setprecision(15) << number;
+  text << std::setprecision(digits) << number;
   return text.str();
+}
+
+/// 15 digits where they are enough, so that 0.1 is 0.1, and no two materials have one name.
+std::string NameMaterial(double material)
+{
+  const std::string text = ToText(material);
+  const bool isEnough = std::isnan(material) || std::strtod(text.c_str(), nullptr) == material;
+  return isEnough ? text : ToText(material, 17);
+}
+
+/// The order of materials, of which those that are no number are one, and the last.
+bool IsLess(double a, double b)
+{
+  return a < b || (std::isnan(b) && !std::isnan(a));
 }
 
 /// A material is written as the sampler names components of coverage.
@@ -69,7 +84,7 @@ Layers ReadLayers(vtkImageData* image)
     { return coverage->GetComponent(sample, static_cast<int>(layer)); };
     return layers;
   }
-  std::set<double> found;
+  std::set<double, bool (*)(double, double)> found(IsLess);
   for (vtkIdType s = 0; material && s < image->GetNumberOfPoints(); ++s)
   {
     if (mask->GetComponent(s, 0) != 0.)
@@ -78,12 +93,14 @@ Layers ReadLayers(vtkImageData* image)
     }
   }
   const std::vector<double> materials(found.begin(), found.end());
-  std::transform(materials.begin(), materials.end(), std::back_inserter(layers.Materials), ToText);
+  std::transform(
+    materials.begin(), materials.end(), std::back_inserter(layers.Materials), NameMaterial);
   layers.Materials.resize(std::max<std::size_t>(materials.size(), 1));
   layers.Cover = [mask, material, materials](vtkIdType sample, std::size_t layer)
   {
+    const double own = material && !materials.empty() ? material->GetComponent(sample, 0) : 0.;
     const bool isOfLayer =
-      materials.empty() || material->GetComponent(sample, 0) == materials[layer];
+      materials.empty() || !(IsLess(own, materials[layer]) || IsLess(materials[layer], own));
     return mask->GetComponent(sample, 0) != 0. && isOfLayer ? 1. : 0.;
   };
   return layers;

@@ -14,17 +14,17 @@ ROOT = 1.2207440846057596  # of x^4 = x + 1: thresholds are spread evenly in eac
 
 def save(image, folder, dither=False):
     """Writes layer00000_material3.png and so on, and slices.json."""
-    materials, covers = layers(image)
+    materials, cover = layers(image)
     try:
         writer = files.make("vtkIOImage.vtkPNGWriter")
     except ImportError as error:
         raise ValueError(f"slices cannot be written: this VTK was built without the module IOImage ({error})") from None
     folder = os.fspath(folder)
     os.makedirs(folder, exist_ok=True)
-    depth, height, width = covers.shape[:3]
+    depth, height, width = image["vtkValidPointMask"].shape[:3]
     rows, columns = np.mgrid[:height, :width]
     for layer in range(depth):
-        covered = covers[layer].astype(float)
+        covered = cover(layer).astype(float)
         if dither:
             ends = np.cumsum(covered, axis=-1)
             threshold = (0.5 + columns / ROOT + rows / (ROOT * ROOT) + layer / (ROOT * ROOT * ROOT))[..., np.newaxis]
@@ -45,7 +45,8 @@ def save(image, folder, dither=False):
 
 
 def layers(image):
-    """Names of materials, one without a name where there are none, and how much of each sample they have."""
+    """Names of materials, one without a name where there are none, and a function of a layer: how much of each sample
+    they have."""
     if "vtkValidPointMask" not in image:
         raise ValueError("slices are of an image that sample() makes, with vtkValidPointMask")
     if meshes.COVERAGE in image:
@@ -54,11 +55,19 @@ def layers(image):
         names = list(image.materials) or [""]
         if len(names) != covers.shape[3]:
             raise ValueError(f"Coverage has {covers.shape[3]} components, but there are {len(names)} materials")
-        return names, covers
+        return names, lambda layer: covers[layer]
     inside = image["vtkValidPointMask"] != 0
-    if "Material" not in image:
-        return [""], inside[..., np.newaxis]
-    found = np.unique(image["Material"][inside])
+    found, numbers = [], None
+    if "Material" in image:
+        found, numbers = np.unique(image["Material"][inside], return_inverse=True)
     if not len(found):
-        return [""], inside[..., np.newaxis]
-    return [f"{material:.15g}" for material in found], (image["Material"][..., np.newaxis] == found) & inside[..., np.newaxis]
+        return [""], lambda layer: inside[layer][..., np.newaxis]
+    of_sample = np.full(inside.shape, -1, dtype=np.int32)
+    of_sample[inside] = numbers.ravel()
+    return list(map(name_of, found)), lambda layer: of_sample[layer][..., np.newaxis] == np.arange(len(found))
+
+
+def name_of(material):
+    """15 digits where they are enough, so that 0.1 is 0.1, and no two materials have one name."""
+    text = f"{material:.15g}"
+    return text if float(text) == material or material != material else f"{material:.17g}"

@@ -223,6 +223,25 @@ class Program(unittest.TestCase):
             self.assertIn(text, done.stderr)
             self.assertFalse(os.path.exists("x.vti"))
 
+    def test_slices_of_materials_of_16_digits_and_of_no_number(self):
+        """Each has its pictures, which none overwrites."""
+        for materials, names in (([1234567890123456, 1234567890123457], ["1234567890123456", "1234567890123457"]),
+                                 ([0.1, np.nan], ["0.1", "nan"])):
+            points = np.array([[x, y, z] for z in (0.0, 1) for y in (0, 1) for x in (0, 1, 2)])
+            data = {"cell_data": {"MaterialId": np.array(materials)}}
+            cells = {"hexahedron": [[i, i + 1, i + 4, i + 3, i + 6, i + 7, i + 10, i + 9] for i in (0, 1)]}
+            write(vtkXMLUnstructuredGridWriter(), meshes.to_vtk(points, cells, **data), "two.vtu")
+            for coverage in (False, True):
+                arguments = ["--generate-coverage"] if coverage else []
+                done = run("sample", "two.vtu", "--number-of-samples", 6, *arguments, "--slices", "two")
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                image = subdivisionobjects.sample(points, cells, number_of_samples=6, generate_coverage=coverage, **data)
+                image.save_slices("two/of_python")
+                for folder in ("two", "two/of_python"):
+                    of_layer = [picture(f"{folder}/layer00002_material{name}.png") for name in names]
+                    self.assertTrue(all(one.max() == 255 for one in of_layer), f"{folder}, {names}, {coverage}")
+                shutil.rmtree("two")
+
     def test_slices(self):
         """Pictures of the program and of Python are the same, and pixels of materials together are the object."""
         write(vtkXMLUnstructuredGridWriter(), subdivisionobjects.model(model="MaterialBlock"), "part.vtu")

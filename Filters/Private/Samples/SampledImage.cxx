@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -25,6 +26,22 @@ namespace subdivision
 {
 namespace
 {
+
+/// 15 digits, for numbers of regions, and decimal fractions as they were written; 17 where these
+/// are not enough, so that no two materials have one name.
+std::string NameMaterial(double material)
+{
+  std::ostringstream name;
+  name.precision(15);
+  name << material;
+  if (!std::isnan(material) && std::strtod(name.str().c_str(), nullptr) != material)
+  {
+    name.str("");
+    name.precision(17);
+    name << material;
+  }
+  return name.str();
+}
 
 /// The mesh whose arrays the image has: the first one that has points, or none of which has.
 vtkPointSet* FindFirst(const std::vector<SampledMesh>& meshes)
@@ -180,10 +197,7 @@ private:
         SampledCoverageName);
       for (std::size_t m = 0; m < materials.size(); ++m)
       {
-        std::ostringstream name;
-        name.precision(15); // numbers of regions, and decimal fractions as they were written
-        name << materials[m];
-        coverage->SetComponentName(static_cast<vtkIdType>(m), name.str().c_str());
+        coverage->SetComponentName(static_cast<vtkIdType>(m), NameMaterial(materials[m]).c_str());
       }
       this->Coverage = coverage->GetPointer(0);
     }

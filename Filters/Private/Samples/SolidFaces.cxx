@@ -20,6 +20,14 @@ namespace
 /// The corners of the faces of a tetrahedron, and the middles of 01, 02 and 12 of each.
 constexpr int NodesOfFaces[4][6] = { { 0, 1, 2, 4, 5, 6 }, { 0, 1, 3, 4, 7, 8 },
   { 0, 2, 3, 5, 7, 9 }, { 1, 2, 3, 6, 8, 9 } };
+/// The corners against them.
+constexpr int Tops[4] = { 3, 2, 1, 0 };
+
+/// Materials may be no numbers.
+bool AreSame(double a, double b)
+{
+  return a == b || (a != a && b != b);
+}
 
 void AddFaces(const std::vector<SampledMesh>& meshes, std::size_t mesh, bool betweenMaterials,
   std::vector<SolidFace>& faces)
@@ -36,25 +44,28 @@ void AddFaces(const std::vector<SampledMesh>& meshes, std::size_t mesh, bool bet
       corners[f] = SortedTuple<3>(ids);
     });
   const auto numbers = NumberTuples<3, vtkIdType>(corners, of.Mesh->GetNumberOfPoints(), 0);
-  // What is known of a face: nothing, the first tetrahedron, or that it is between two alike.
-  std::vector<vtkIdType> first(numbers.Representatives.size(), -1);
-  std::vector<char> isInside(first.size(), 0);
+  // What is known of a face: nothing, the last tetrahedron, or that it is between two alike.
+  std::vector<vtkIdType> last(numbers.Representatives.size(), -1);
+  std::vector<char> isInside(last.size(), 0);
   const auto material = [&](vtkIdType f)
   {
     return betweenMaterials && of.Material ? of.Material->GetComponent(solids[f / 4].Cell, 0) : 0.;
   };
+  const auto top = [&](vtkIdType f) { return solids[f / 4].Nodes[Tops[f % 4]]; };
   for (const vtkIdType f : InTurn(corners.size()))
   {
     const vtkIdType number = numbers.Numbers[f];
-    isInside[number] = first[number] >= 0 && material(first[number]) == material(f);
-    first[number] = f;
+    const vtkIdType other = last[number];
+    isInside[number] |= other >= 0 && top(other) != top(f) && // a cell may be there twice
+      AreSame(material(other), material(f));
+    last[number] = f;
   }
-  for (const vtkIdType number : InTurn(static_cast<vtkIdType>(first.size())))
+  for (const vtkIdType number : InTurn(static_cast<vtkIdType>(last.size())))
   {
-    if (!isInside[number] && first[number] >= 0)
+    if (!isInside[number] && last[number] >= 0)
     {
-      const vtkIdType f = first[number];
-      SolidFace face{ mesh, { {}, solids[f / 4].Cell } };
+      const vtkIdType f = last[number];
+      SolidFace face{ mesh, { {}, solids[f / 4].Cell }, top(f) };
       for (int n = 0; n < 6; ++n)
       {
         face.Triangle.Nodes[n] = solids[f / 4].Nodes[NodesOfFaces[f % 4][n]];
@@ -64,21 +75,32 @@ void AddFaces(const std::vector<SampledMesh>& meshes, std::size_t mesh, bool bet
   }
 }
 
-/// Where the middle of the corners is. Blocks, ranks and copies of points have the same bits.
-Place FindMiddle(const std::vector<SampledMesh>& meshes, const SolidFace& face)
+/// The middle of the corners, and the corner of the tetrahedron against them. Blocks, ranks and
+/// copies of points have the same bits.
+using FaceKey = std::array<double, 6>;
+
+FaceKey MakeKey(const std::vector<SampledMesh>& meshes, const SolidFace& face)
 {
+  vtkPointSet* const mesh = meshes[face.Mesh].Mesh;
   std::array<Place, 3> corners{};
   for (int c = 0; c < 3; ++c)
   {
-    meshes[face.Mesh].Mesh->GetPoint(face.Triangle.Nodes[c], corners[c].data());
+    mesh->GetPoint(face.Triangle.Nodes[c], corners[c].data());
   }
   std::sort(corners.begin(), corners.end()); // the order of a sum makes other bits
-  Place middle{};
+  FaceKey key{};
+  mesh->GetPoint(face.Top, key.data() + 3);
   for (int x = 0; x < 3; ++x)
   {
-    middle[x] = (corners[0][x] + corners[1][x] + corners[2][x]) / 3.;
+    key[x] = (corners[0][x] + corners[1][x] + corners[2][x]) / 3.;
   }
-  return middle;
+  return key;
+}
+
+/// Orders keys by the middles alone.
+bool IsMiddleLess(const FaceKey& a, const FaceKey& b)
+{
+  return std::lexicographical_compare(a.begin(), a.begin() + 3, b.begin(), b.begin() + 3);
 }
 
 }
@@ -99,21 +121,23 @@ void DropCommonFaces(const std::vector<SampledMesh>& meshes, vtkMultiProcessCont
   std::vector<double> numbers;
   for (const SolidFace& face : InTurn(faces))
   {
-    const Place middle = FindMiddle(meshes, face);
-    numbers.insert(numbers.end(), middle.begin(), middle.end());
+    const FaceKey key = MakeKey(meshes, face);
+    numbers.insert(numbers.end(), key.begin(), key.end());
   }
   numbers = controller ? GatherFromRanks(controller, numbers) : numbers;
-  std::vector<Place> middles(numbers.size() / 3);
+  std::vector<FaceKey> keys(numbers.size() / 6);
   for (const vtkIdType i : InTurn(static_cast<vtkIdType>(numbers.size())))
   {
-    middles[i / 3][i % 3] = numbers[i];
+    keys[i / 6][i % 6] = numbers[i];
   }
-  StableSort(middles, std::less<>());
+  StableSort(keys, std::less<>());
   std::vector<SolidFace> outer;
   for (const SolidFace& face : InTurn(faces))
   {
-    const auto same = std::equal_range(middles.begin(), middles.end(), FindMiddle(meshes, face));
-    if (same.second - same.first == 1)
+    // The same tetrahedron may be there more than once: its faces have nothing behind them.
+    const auto same =
+      std::equal_range(keys.begin(), keys.end(), MakeKey(meshes, face), IsMiddleLess);
+    if (same.first == same.second || *same.first == *(same.second - 1))
     {
       outer.push_back(face);
     }

@@ -19,13 +19,15 @@ struct SolidFace
 {
   std::size_t Mesh;
   QuadraticPiece Triangle;
+  vtkIdType Top; ///< the corner of the tetrahedron that is not in the triangle
 };
 
 /// The triangles which have nothing behind them in their mesh or, if asked for, another material.
 std::vector<SolidFace> ListFaces(const std::vector<SampledMesh>& meshes, bool betweenMaterials);
 
-/// Takes out the triangles that are in the same place, also on other ranks: between blocks, parts
-/// and copies of points, and so inside of the object. All ranks call it.
+/// Takes out the triangles that are in the same place, also on other ranks, and of different
+/// tetrahedra: between blocks, parts and copies of points, and so inside of the object. All ranks
+/// call it.
 void DropCommonFaces(const std::vector<SampledMesh>& meshes, vtkMultiProcessController* controller,
   std::vector<SolidFace>& faces);
 

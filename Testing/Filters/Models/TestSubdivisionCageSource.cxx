@@ -6,6 +6,8 @@
  */
 #include "SubdivisionDeformationTools.h"
 
+#include "vtkConnectivityFilter.h"
+#include "vtkGeometryFilter.h"
 #include "vtkSubdivisionCageSource.h"
 
 using namespace deformation_tools;
@@ -317,6 +319,29 @@ TEST(SubdivisionCageSource, HugsSinglePoints)
   }
 }
 
+/// Joining boxes may close a way to others: each part of a cage has one surface.
+TEST(SubdivisionCageSource, HuggingLeavesNoCavities)
+{
+  for (unsigned seed = 0; seed < 400; ++seed)
+  {
+    vtkNew<vtkSubdivisionCageSource> source;
+    source->SetInputDataObject(0, MakeCloud(18, { 0., 0., 0. }, { 1., 1., 1. }, seed));
+    source->SetNumberOfCells(6, 6, 6);
+    source->SetMargin(0.);
+    source->HugOn();
+    vtkNew<vtkConnectivityFilter> parts;
+    parts->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkGeometryFilter> skin;
+    skin->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkConnectivityFilter> surfaces;
+    surfaces->SetInputConnection(skin->GetOutputPort());
+    parts->Update();
+    surfaces->Update();
+    EXPECT_EQ(surfaces->GetNumberOfExtractedRegions(), parts->GetNumberOfExtractedRegions())
+      << seed;
+  }
+}
+
 /// A skin has an inside, too: a cage has no cavity.
 TEST(SubdivisionCageSource, FillsAHuggedSkin)
 {
@@ -346,8 +371,15 @@ TEST(SubdivisionCageSource, FillsAHuggedSkin)
   filter->SetOutsidePointsToError();
   filter.Run(MakeGrid({ { 0., 0., 0. } }, {}), made.Cage, made.Cage);
   EXPECT_TRUE(filter.WasSilent()) << "the middle is inside";
-  points.assign(1, { 0., 0., std::numeric_limits<double>::quiet_NaN() });
-  points.push_back({ 0., 0., 0. });
+  // The bounds are those of all finite coordinates.
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  points = { { 0., nan, 0. }, { 1., nan, 1. }, { nan, 0., nan }, { nan, 1., nan } };
   source->SetInputDataObject(0, MakeGrid(points, {}));
-  EXPECT_FALSE(MakeCage(source).Cage == nullptr);
+  const Made none = MakeCage(source);
+  EXPECT_EQ(none.Cage->GetNumberOfCells(), 0);
+  ASSERT_EQ(none.Errors.size(), 1u);
+  EXPECT_NE(none.Errors[0].find("has finite coordinates alone"), std::string::npos);
+  points.push_back({ 0.5, 0.5, 0.5 });
+  source->SetInputDataObject(0, MakeGrid(points, {}));
+  EXPECT_GT(MakeCage(source).Cage->GetNumberOfCells(), 0);
 }

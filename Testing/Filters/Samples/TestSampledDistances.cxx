@@ -98,6 +98,48 @@ TEST(SampledDistances, InterfacesAreNoOutside)
   Compare(Sample(filter, MakeBox()), 0.6, 1e-6, FindDistanceOfBox);
 }
 
+/// The same tetrahedra in two blocks, or twice in one mesh: nothing is behind their faces.
+TEST(SampledDistances, CopiesOfSolidsAreNoNeighbours)
+{
+  const std::vector<Point> points{ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 3, 0 }, { 0, 0, 3 },
+    { 3, 3, 3 } };
+  const Grid once =
+    MakeGrid(points, { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } } });
+  const Grid twice = MakeGrid(points,
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 4 } },
+      { VTK_TETRA, { 3, 1, 0, 2 } } });
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, once);
+  blocks->SetBlock(1, once);
+  const auto sample = [](vtkDataObject* mesh, bool joins)
+  {
+    vtkNew<Filter> filter;
+    filter->SetVolumeSchemeToLinear();
+    filter->SetSpacing(0.2);
+    filter->GenerateDistanceOn();
+    filter->SetDistanceBand(1.);
+    filter->SetJoinBlocks(joins);
+    filter->UseSamplingBoundsOn();
+    filter->SetSamplingBounds(-0.5, 3.5, -0.5, 3.5, -0.5, 3.5);
+    UpdateInSilence(filter, mesh, nullptr, { "Blocks have cells in common", "of the distance" });
+    const auto image = Image::New();
+    image->DeepCopy(filter->GetOutput());
+    return image;
+  };
+  const Image expected = sample(once, true);
+  vtkDataArray* const distances = expected->GetPointData()->GetArray("Distance");
+  for (const Image& image : { sample(twice, true), sample(blocks, true), sample(blocks, false) })
+  {
+    EXPECT_GT(Compare(image, 1., 1e-6,
+                [&](const double* p)
+                {
+                  double place[3] = { p[0], p[1], p[2] };
+                  return distances->GetComponent(expected->FindPoint(place), 0);
+                }),
+      1000);
+  }
+}
+
 TEST(SampledDistances, OfSurfacesCurvesAndPointsHaveNoSign)
 {
   const Grid mesh = MakeGrid(
