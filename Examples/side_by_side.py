@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pictures of shapes side by side share: guide_pictures.py and scheme_pictures.py make them."""
+"""What pictures of shapes side by side share: guide_pictures.py and its siblings make them."""
 
 import demo_pictures as look
 import numpy as np

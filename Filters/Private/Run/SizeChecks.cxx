@@ -127,6 +127,7 @@ std::string CheckMemory(const SizeEstimate& estimate)
     estimate.BytesPerId * (10. * last.Tets + 18. * last.Octahedra + 13. * last.Edges) +
     (last.Scheme->HasPieces ? 8. * cells : 0.); // OctahedronId
   bytes += 24. * estimate.Frames * points;
+  bytes += estimate.KeepsRows ? 9. * estimate.BytesPerId * points : 0.; // simplices of the steps
   if (estimate.Frames > 0 && !estimate.Projects && last.Tets == 0.)
   {
     bytes += (24. + 7. * estimate.BytesPerId) * points; // rings, and points in double

@@ -39,11 +39,10 @@ struct SizeEstimate
   double BytesPerPoint = 0;
   double BytesPerCell = 0; ///< of cell data
   double BytesPerId = 4;
-  bool Projects = false; ///< with limit rows of the last level
-  int Frames = 0;        ///< arrays of normals and tangents, with rows beside the limit rows
-  /// Or with limits that the level before tells, and whether their rows are kept.
-  bool ProjectsByRings = false;
-  bool KeepsRows = false;
+  bool Projects = false;        ///< with limit rows of the last level
+  int Frames = 0;               ///< arrays of normals and tangents, with rows beside the limit rows
+  bool ProjectsByRings = false; ///< or with limits that the level before tells
+  bool KeepsRows = false;       ///< for the next execution: steps, and rows of limits
 };
 
 /// An error message if the peak, the output and the memory of the last step, does not fit.
