@@ -24,6 +24,11 @@ inline Vector Subtract(const Vector& a, const Vector& b)
   return Subtract(a.data(), b.data());
 }
 
+inline Vector Scale(double factor, const Vector& a)
+{
+  return { factor * a[0], factor * a[1], factor * a[2] };
+}
+
 inline double Dot(const Vector& a, const Vector& b)
 {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -40,11 +40,6 @@ int GetDimension(int type)
                                                : -1; // does not come out of the filter
 }
 
-Vector Scale(double factor, const Vector& a)
-{
-  return { factor * a[0], factor * a[1], factor * a[2] };
-}
-
 /// The ends of the edge of the level before that a new point halves.
 class HalvedEdges
 {

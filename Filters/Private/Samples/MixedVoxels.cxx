@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Private/Samples/MixedVoxels.h"
 
+#include "Core/Memory/Vectors.h"
+
 #include "vtkDataArray.h"
 
 #include <cmath>
@@ -68,9 +70,8 @@ void MixedVoxels::Mark(
   ForStraightParts(nodes, 2, halvings,
     [&](const StraightPart& part)
     {
-      const auto& spacing = grid.Spacing;
-      const auto box = FindBox(
-        part, 2, { bend + spacing[0] / 2., bend + spacing[1] / 2., bend + spacing[2] / 2. });
+      const Place half = vectors::Scale(0.5, grid.Spacing);
+      const auto box = FindBox(part.Corners, 3, { bend + half[0], bend + half[1], bend + half[2] });
       ForSamplesIn(
         slab, box.first, box.second, [&](int, int, int, vtkIdType voxel) { flags[voxel] = 1; });
     });
@@ -115,14 +116,9 @@ void MixedVoxels::CoverSlab(vtkIdType number, const std::vector<ListedPiece>& so
       const ListedPiece& listed = solids[i];
       const TetrahedronSamples samples(GetNodes(this->Meshes[listed.Mesh].Mesh, *listed.Piece, 3));
       const int component = this->GetComponent(this->GetMaterial(listed));
-      Place low = samples.GetLow();
-      Place high = samples.GetHigh();
-      for (int x = 0; x < 3; ++x)
-      {
-        low[x] -= grid.Spacing[x] / 2.;
-        high[x] += grid.Spacing[x] / 2.;
-      }
-      ForSamplesIn(slab, low, high,
+      const auto box = FindBox(std::array<Place, 2>{ samples.GetLow(), samples.GetHigh() }, 2,
+        vectors::Scale(0.5, grid.Spacing));
+      ForSamplesIn(slab, box.first, box.second,
         [&](int at, int j, int k, vtkIdType voxel)
         {
           if (flags[voxel])

@@ -213,23 +213,30 @@ inline Place Blend(
   return sum;
 }
 
-/// The box around a piece, and `more` on all sides.
+/// The smallest box around points, and `more` on all sides.
+template <typename Points>
+std::pair<Place, Place> FindBox(const Points& points, int size, const Place& more)
+{
+  std::pair<Place, Place> box(points[0], points[0]);
+  for (int x = 0; x < 3; ++x)
+  {
+    for (int p = 1; p < size; ++p)
+    {
+      box.first[x] = std::min(box.first[x], points[p][x]);
+      box.second[x] = std::max(box.second[x], points[p][x]);
+    }
+    box.first[x] -= more[x];
+    box.second[x] += more[x];
+  }
+  return box;
+}
+
+/// A box around a piece, and `more` on all sides.
 inline std::pair<Place, Place> FindReach(
   const std::array<Place, 10>& nodes, int dimension, double more)
 {
   more += FindBend(nodes, dimension);
-  std::pair<Place, Place> reach(nodes[0], nodes[0]);
-  for (int x = 0; x < 3; ++x)
-  {
-    for (int n = 1; n < QuadraticPiece::CountNodes(dimension); ++n)
-    {
-      reach.first[x] = std::min(reach.first[x], nodes[n][x]);
-      reach.second[x] = std::max(reach.second[x], nodes[n][x]);
-    }
-    reach.first[x] -= more;
-    reach.second[x] += more;
-  }
-  return reach;
+  return FindBox(nodes, QuadraticPiece::CountNodes(dimension), { more, more, more });
 }
 
 /// How far the nodes of a piece are away from the first one along an axis at most, in units of
@@ -306,23 +313,6 @@ void ForStraightParts(
   }
 }
 
-/// The smallest box around a part, with `more` on all sides.
-inline std::pair<Place, Place> FindBox(const StraightPart& part, int dimension, const Place& more)
-{
-  std::pair<Place, Place> box(part.Corners[0], part.Corners[0]);
-  for (int x = 0; x < 3; ++x)
-  {
-    for (int c = 1; c <= dimension; ++c)
-    {
-      box.first[x] = std::min(box.first[x], part.Corners[c][x]);
-      box.second[x] = std::max(box.second[x], part.Corners[c][x]);
-    }
-    box.first[x] -= more[x];
-    box.second[x] += more[x];
-  }
-  return box;
-}
-
 /// Calls visit(i, j, k, number in the slab, part, nearest) for the samples of a slab in boxes
 /// around the straight parts of a piece.
 template <typename Visit>
@@ -332,7 +322,7 @@ void ForSamplesNear(const SampleGrid& slab, const std::array<Place, 10>& nodes, 
   ForStraightParts(nodes, dimension, halvings,
     [&](const StraightPart& part)
     {
-      const auto box = FindBox(part, dimension, { reach, reach, reach });
+      const auto box = FindBox(part.Corners, dimension + 1, { reach, reach, reach });
       ForSamplesIn(slab, box.first, box.second,
         [&](int i, int j, int k, vtkIdType sample)
         {

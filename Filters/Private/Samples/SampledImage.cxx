@@ -2,6 +2,7 @@
 #include "Private/Samples/SampledImage.h"
 
 #include "Core/Memory/Loops.h"
+#include "Core/Memory/Vectors.h"
 #include "Private/Arrays/Arrays.h"
 #include "Private/Samples/Distances.h"
 #include "Private/Samples/MixedVoxels.h"
@@ -118,13 +119,8 @@ public:
       [&](vtkIdType i)
       {
         const TetrahedronSamples samples = this->Prepare(this->Solids[i]);
-        std::pair<Place, Place> box(samples.GetLow(), samples.GetHigh());
-        for (int x = 0; x < 3; ++x)
-        {
-          box.first[x] -= part * this->Grid.Spacing[x];
-          box.second[x] += part * this->Grid.Spacing[x];
-        }
-        return box;
+        return FindBox(std::array<Place, 2>{ samples.GetLow(), samples.GetHigh() }, 2,
+          vectors::Scale(part, this->Grid.Spacing));
       });
     const vtkIdType slabs = CountSlabs(this->Grid);
     const vtkIdType atOnce = 2 * vtkSMPTools::GetEstimatedNumberOfThreads();
