@@ -2,12 +2,16 @@
 #include "EditBox.h"
 
 #include "pqCoreUtilities.h"
+#include "pqRenderView.h"
 #include "pqUndoStack.h"
 #include "vtkBoundingBox.h"
 #include "vtkCommand.h"
 #include "vtkPVDataInformation.h"
+#include "vtkPVGeneralSettings.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMNewWidgetRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMRenderViewProxy.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 
@@ -38,6 +42,19 @@ void EditBox::beginDrag()
   this->closeDrag();
   this->IsDragged = true;
   BEGIN_UNDO_SET("Drag the box");
+  auto* const shown = qobject_cast<pqRenderView*>(this->view());
+  this->Interactor = shown ? shown->getRenderViewProxy()->GetInteractor() : nullptr;
+  if (this->Interactor && vtkPVGeneralSettings::GetInstance()->GetAutoApply())
+  {
+    this->Observer =
+      this->Interactor->AddObserver(vtkCommand::RenderEvent, this, &EditBox::skipRender, 1.f);
+  }
+}
+
+/// Each Auto Apply draws the view with the box, so the box need not draw it once more by itself.
+bool EditBox::skipRender(vtkObject*, unsigned long, void*)
+{
+  return true;
 }
 
 /// After the last Auto Apply, which the event loop does next.
@@ -51,6 +68,10 @@ void EditBox::closeDrag()
   if (std::exchange(this->IsDragged, false))
   {
     END_UNDO_SET();
+    if (this->Interactor)
+    {
+      this->Interactor->RemoveObserver(this->Observer);
+    }
   }
 }
 

@@ -8,7 +8,10 @@
 
 #include "pqBoxPropertyWidget.h"
 #include "vtkSmartPointer.h"
+#include "vtkWeakPointer.h"
 
+class vtkObject;
+class vtkRenderWindowInteractor;
 class vtkSMSourceProxy;
 
 /**
@@ -32,9 +35,12 @@ private Q_SLOTS:
   void closeDrag();
 
 private:
+  bool skipRender(vtkObject*, unsigned long, void*);
   vtkSMSourceProxy* FindSelected();
 
-  vtkSmartPointer<vtkSMSourceProxy> Selected; ///< null before the first selection
+  vtkSmartPointer<vtkSMSourceProxy> Selected;           ///< null before the first selection
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; ///< of the view, during a drag
+  unsigned long Observer = 0;
   bool IsDragged = false;
 };
 
