@@ -42,8 +42,9 @@ int vtkRedGreenRefinement::RequestData(
     return 0;
   }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
-    [&options](vtkPointSet* input, vtkPointSet* output)
+    [this, &options](vtkPointSet* input, vtkPointSet* output)
     {
+      options.Torn = this->Torn;
       return subdivision::RefineRedGreen(input, options, vtkUnstructuredGrid::SafeDownCast(output));
     });
 }

@@ -171,6 +171,11 @@ protected:
 
   bool CanInterpolate() const override { return this->Placement == LIMIT; }
   bool HasInterfaces() const override { return true; }
+  bool TearsSeams() const override
+  {
+    return this->OutputCells == LINEAR_CELLS && this->InterfaceValues == CONTINUOUS_VALUES &&
+      !this->CloseHangingNodes;
+  }
   int GetLayersOfCells() const override { return this->VolumeScheme == TET_OCT ? 3 : 2; }
   bool HasGhostLayers() const override { return this->OutputCells == LINEAR_CELLS; }
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -20,6 +20,7 @@
 #include "Private/Surface/SurfaceInput.h"
 #include "Private/Values/MaterialFields.h"
 #include "Private/Values/MissingValues.h"
+#include "Private/Values/SharedInterpolation.h"
 #include "Private/vtkSubdivisionObjectsCompat.h"
 
 #include "vtkAlgorithm.h"
@@ -416,8 +417,7 @@ bool vtkSubdivisionAlgorithm::FindOperator(vtkSubdivisionOperator* found)
   {
     subdivision::Fail(this,
       "InterpolatePoints, InterpolateArrays, InterfaceValues = Discontinuous and MergedValues = "
-      "Keep "
-      "have no operator of few entries: switch them off.");
+      "Keep have no operator of few entries: switch them off.");
     return false;
   }
   this->Factors = found->Factors.get();
@@ -460,19 +460,8 @@ bool vtkSubdivisionAlgorithm::ReadChosenPoints(vtkPointSet* input, subdivision::
   {
     return false;
   }
-  chosen = options.Interpolation.IsOn() ? chosen : nullptr;
-  for (vtkIdType i = 0; chosen && i < chosen->GetNumberOfTuples(); ++i)
-  {
-    const double weight = chosen->GetComponent(i, 0);
-    if (!(weight >= 0. && weight <= 1.))
-    {
-      options.Fail("The weight " + std::to_string(weight) + " of point " + std::to_string(i) +
-        " (array index 13) must be from 0 (free) to 1 (interpolated).");
-      return false;
-    }
-  }
-  options.Interpolation.Chosen = chosen;
-  return true;
+  options.Interpolation.Chosen = options.Interpolation.IsOn() ? chosen : nullptr;
+  return subdivision::HasWeights(options.Interpolation, options.Fail);
 }
 
 vtkSmartPointer<vtkDataObject> vtkSubdivisionAlgorithm::MakeSurfaces(
@@ -570,17 +559,21 @@ void vtkSubdivisionAlgorithm::SetMaximumNumberOfCellsAsDouble(double cells)
 void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  const auto printNames = [&](const char* title, const std::vector<std::string>& names)
+  {
+    os << indent << title;
+    for (const std::string& name : names)
+    {
+      os << " " << name;
+    }
+    os << "\n";
+  };
   os << indent << "InterpolateIntegers: " << this->InterpolateIntegers << "\n";
   os << indent << "GenerateOriginalIds: " << this->GenerateOriginalIds << "\n";
   os << indent << "GenerateGlobalIds: " << this->GenerateGlobalIds << "\n";
   os << indent << "InterpolatePoints: " << this->InterpolatePoints << "\n";
   os << indent << "InterpolateArrays: " << this->InterpolateArrays << "\n";
-  os << indent << "Interpolated arrays:";
-  for (const std::string& name : this->InterpolatedArrays)
-  {
-    os << " " << name;
-  }
-  os << "\n";
+  printNames("Interpolated arrays:", this->InterpolatedArrays);
   os << indent << "InterpolationWeight: " << this->InterpolationWeight << "\n";
   os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
   os << indent << "MaximumNumberOfCells: " << this->MaximumNumberOfCells << "\n";
@@ -590,12 +583,7 @@ void vtkSubdivisionAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "EmbeddedCells: " << this->EmbeddedCells << "\n";
   os << indent << "PreserveInterfaces: " << this->PreserveInterfaces << "\n";
   os << indent << "InterfaceValues: " << this->InterfaceValues << "\n";
-  os << indent << "Fields of cells:";
-  for (const std::string& name : this->FieldsOfCells)
-  {
-    os << " " << name;
-  }
-  os << "\n";
+  printNames("Fields of cells:", this->FieldsOfCells);
   os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "Type1Rule: " << this->Type1Rule << "\n";

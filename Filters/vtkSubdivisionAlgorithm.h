@@ -490,12 +490,14 @@ public:
    * All pieces that touch are joined, or none: coordinates and cells decide, values do not. A piece
    * meets itself at a seam only where texture coordinates differ. The first point gives the values,
    * with a warning where they differ; with MergedValues = AVERAGE_VALUE there are means. Texture
-   * coordinates that differ are left out; vtkMultiDimensionalSubdivision keeps both sides of closed
-   * surfaces, if OutputCells are linear and nothing is closed, bounded or jumps. JoinSeams of
-   * vtkSurfaceSubdivision comes first: it keeps them, and joins all equal points of the mesh. On
-   * several ranks surfaces that are closed on a rank are joined; a warning tells of others. Without
-   * effect with MergePoints, on vtkSubdivisionDeformation, on meshes with global ids that ranks or
-   * blocks share, and where values jump already (InterfaceValues). On by default.
+   * coordinates that differ are left out; vtkMultiDimensionalSubdivision, and vtkRedGreenRefinement
+   * linearly in each control triangle, keep both sides of closed surfaces, if OutputCells are
+   * linear and nothing is closed, bounded or jumps. vtkAdaptiveSurfaceSubdivision cannot: it flips
+   * edges, so that its triangles lie across seams. JoinSeams of vtkSurfaceSubdivision comes first:
+   * it keeps them, and joins all equal points of the mesh. On several ranks surfaces that are
+   * closed on a rank are joined; a warning tells of others. Without effect with MergePoints, on
+   * vtkSubdivisionDeformation, on meshes with global ids that ranks or blocks share, and where
+   * values jump already (InterfaceValues). On by default.
    */
   vtkSetMacro(JoinSides, bool);
   vtkGetMacro(JoinSides, bool);

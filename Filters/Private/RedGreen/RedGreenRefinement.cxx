@@ -11,6 +11,7 @@
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/OpenSplits.h"
 #include "Private/RedGreen/RedGreenNormals.h"
+#include "Private/RedGreen/RedGreenSeams.h"
 #include "Private/RedGreen/RedGreenWriter.h"
 #include "Private/RedGreen/VertexOrigins.h"
 #include "Private/Run/SizeChecks.h"
@@ -287,7 +288,7 @@ bool RedGreenRun::Refine()
   const RedGreenOutput<Id> plan(state);
   std::vector<vtkIdType> simplices;
   WriteRedGreenCells(plan, this->Input, this->Mesh, this->Options, this->Options.LimitPlacement,
-    this->Others ? &simplices : nullptr, this->Output);
+    this->Others || this->Options.Torn ? &simplices : nullptr, this->Output);
   if (this->IsStopped(0.9))
   {
     return false;
@@ -322,6 +323,10 @@ bool RedGreenRun::Refine()
     whole.Write(this->Output);
   }
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);
+  if (this->Options.Torn) // a filter that follows joins the sides first, as the fields have them
+  {
+    TearSeams(this->Options.Torn, this->Input, this->Mesh, midpoints, simplices, this->Output);
+  }
   return true;
 }
 

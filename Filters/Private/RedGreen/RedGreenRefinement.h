@@ -25,6 +25,7 @@ struct RedGreenOptions : RunOptions
   bool IsCurved = false;                       ///< cells of this kind and order
   CurvedKind Kind = CurvedKind::Quadratic;
   int CellOrder = 2;
+  vtkPointSet* Torn = nullptr; ///< the input before seams of its texture were joined, if they were
 };
 
 /// Returns false after an error (passed to Fail) or if Progress asks to stop. The caller then

@@ -420,13 +420,7 @@ private:
     this->Points->Finish(this->Output);
     this->WriteCellData(written);
     TellOvershoot(*this->Points, this->Options, this->Output, this->Options.ProjectToLimit);
-    if (this->Options.Features.Sharpness)
-    {
-      ReduceSharpness(
-        this->Options.Features.Sharpness->GetName(), this->Options.Levels, this->Output);
-    }
-    ClearMarks(this->Options.Features.Marks, this->Output);
-    RebuildPointGhosts(this->Input, this->Output);
+    FinishArrays(this->Input, this->Options, this->Output);
     const bool goesOn = this->HasRules() && this->Options.Levels > 0 &&
       !this->Options.ProjectToLimit && !this->Options.Interpolation.IsOn();
     WriteHybridStamp(

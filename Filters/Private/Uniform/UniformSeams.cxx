@@ -17,27 +17,6 @@ namespace subdivision
 namespace
 {
 
-/// For each point of a mesh the one of another mesh with the same cells; -1 for points without
-/// cells.
-Buffer<vtkIdType> FindJoinedPoints(vtkPointSet* torn, vtkPointSet* joined)
-{
-  const CellReader cells(torn);
-  const CellReader others(joined);
-  Buffer<vtkIdType> found(torn->GetNumberOfPoints(), -1);
-  std::vector<vtkIdType> scratch[2];
-  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
-  {
-    const CellIds cell = cells.GetCell(c, scratch[0]);
-    const CellIds other = others.GetCell(c, scratch[1]);
-    for (vtkIdType i = 0; i < std::min(cell.Size, other.Size); ++i)
-    {
-      const vtkIdType id = cell.Ids[i];
-      id >= 0 && id < found.size() ? void(found[id] = other.Ids[i]) : void();
-    }
-  }
-  return found;
-}
-
 /// The torn mesh with texture coordinates alone, and with the cell data of the joined one.
 vtkSmartPointer<vtkPointSet> TakeTexture(vtkPointSet* torn, vtkPointSet* joined)
 {

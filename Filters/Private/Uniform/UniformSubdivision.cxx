@@ -334,17 +334,21 @@ void UniformRun::Write()
     this->CheckOrientation();
     TellOvershoot(*this->Points, this->Options, this->Output, this->Options.ProjectToLimit);
   }
-  if (this->Options.Features.Sharpness)
-  {
-    ReduceSharpness(
-      this->Options.Features.Sharpness->GetName(), this->Options.Levels, this->Output);
-  }
-  ClearMarks(this->Options.Features.Marks, this->Output);
-  RebuildPointGhosts(this->Input, this->Output);
+  FinishArrays(this->Input, this->Options, this->Output);
   if (!this->IsNarrow)
   {
     this->WriteStamps();
   }
+}
+
+void FinishArrays(vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output)
+{
+  if (options.Features.Sharpness)
+  {
+    ReduceSharpness(options.Features.Sharpness->GetName(), options.Levels, output);
+  }
+  ClearMarks(options.Features.Marks, output);
+  RebuildPointGhosts(input, output);
 }
 
 namespace

@@ -49,6 +49,9 @@ bool RefineKeepingTypes(
 /// Whether a mesh has cells that keep their types there, and are cut elsewhere.
 bool HasUncutCells(vtkPointSet* input);
 
+/// The arrays of a finished output that say what is still sharp, marked or of others.
+void FinishArrays(vtkPointSet* input, const UniformOptions& options, vtkUnstructuredGrid* output);
+
 /// The operators of the steps from one mesh, and the mesh after them.
 struct UniformOperators
 {

@@ -8,6 +8,25 @@
 namespace subdivision
 {
 
+Buffer<vtkIdType> FindJoinedPoints(vtkPointSet* torn, vtkPointSet* joined)
+{
+  const CellReader cells(torn);
+  const CellReader others(joined);
+  Buffer<vtkIdType> found(torn->GetNumberOfPoints(), -1);
+  std::vector<vtkIdType> scratch[2];
+  for (const vtkIdType c : InTurn(cells.GetNumberOfCells()))
+  {
+    const CellIds cell = cells.GetCell(c, scratch[0]);
+    const CellIds other = others.GetCell(c, scratch[1]);
+    for (vtkIdType i = 0; i < std::min(cell.Size, other.Size); ++i)
+    {
+      const vtkIdType id = cell.Ids[i];
+      id >= 0 && id < found.size() ? void(found[id] = other.Ids[i]) : void();
+    }
+  }
+  return found;
+}
+
 vtkSmartPointer<vtkDataArray> CopyOfValues(vtkDataArray* array)
 {
   const auto copy = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());

@@ -29,6 +29,10 @@ namespace subdivision
 /// with a negative id are alone. Empty if all are different.
 std::vector<vtkIdType> FindFirstCopies(vtkPointSet* mesh);
 
+/// For each point of a mesh whose sides are torn the one of the joined mesh with the same cells; -1
+/// for points without cells.
+Buffer<vtkIdType> FindJoinedPoints(vtkPointSet* torn, vtkPointSet* joined);
+
 /// A copy of the values of an array, made in parts: DeepCopy of VTK cannot be stopped.
 vtkSmartPointer<vtkDataArray> CopyOfValues(vtkDataArray* array);
 

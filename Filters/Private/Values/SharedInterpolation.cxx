@@ -121,6 +121,22 @@ void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const Ru
   }
 }
 
+bool HasWeights(
+  const InterpolationOptions& options, const std::function<void(const std::string&)>& fail)
+{
+  for (vtkIdType i = 0; options.Chosen && i < options.Chosen->GetNumberOfTuples(); ++i)
+  {
+    const double weight = options.Chosen->GetComponent(i, 0);
+    if (!(weight >= 0. && weight <= 1.))
+    {
+      fail("The weight " + std::to_string(weight) + " of point " + std::to_string(i) +
+        " (array index 13) must be from 0 (free) to 1 (interpolated).");
+      return false;
+    }
+  }
+  return true;
+}
+
 void WarnOfLateInterpolation(const InterpolationOptions& options,
   const std::vector<vtkIdType>& before, const std::function<void(const std::string&)>& warn)
 {

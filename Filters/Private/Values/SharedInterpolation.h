@@ -23,6 +23,10 @@ bool AgreeWithOthers(bool own, const RunOptions& options);
 void ConnectToOthers(vtkPointSet* input, const SimplicesOfCells& cells, const RunOptions& options,
   InterpolationLimits& limits);
 
+/// Whether the weights of chosen points are from 0 to 1; an error names the first that is not.
+bool HasWeights(
+  const InterpolationOptions& options, const std::function<void(const std::string&)>& fail);
+
 /// Warns if there is something to interpolate in the output of an earlier filter that did not do
 /// so.
 void WarnOfLateInterpolation(const InterpolationOptions& options,

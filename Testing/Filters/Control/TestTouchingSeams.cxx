@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // JoinSides of the main filter: sides of one object become one smooth surface, and each keeps its
-// texture coordinates, as vtkSurfaceSubdivision keeps them.
+// texture coordinates, as vtkSurfaceSubdivision keeps them; and of red-green refinement, where they
+// are linear in each control triangle.
 #include "MultiDimensionalSubdivisionTools.h"
 
+#include "vtkRedGreenRefinement.h"
 #include "vtkSubdivisionOperator.h"
 #include "vtkSurfaceSubdivision.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCubeSource.h"
+#include "vtkSphere.h"
 #include "vtkTriangleFilter.h"
 
 using namespace multi_dimensional_subdivision_tools;
@@ -17,6 +20,7 @@ namespace
 
 using Main = vtkMultiDimensionalSubdivision;
 using OfSurfaces = vtkSurfaceSubdivision;
+using RedGreen = vtkRedGreenRefinement;
 using Surface = vtkSmartPointer<vtkPolyData>;
 /// Coordinates and texture coordinates of a point.
 using Corner = std::array<double, 5>;
@@ -406,4 +410,175 @@ TEST(TouchingSeams, AnAbortStopsTheWorkOnTextures)
   filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+namespace
+{
+
+/// Refined in a ball that cuts seams.
+vtkSmartPointer<vtkPointSet> Refine(vtkDataObject* input, int levels,
+  const std::function<void(RedGreen*)>& configure = {}, Messages* messages = nullptr)
+{
+  vtkNew<vtkSphere> ball;
+  ball->SetCenter(0.5, 0.4, 0.45);
+  ball->SetRadius(0.7);
+  vtkNew<RedGreen> filter;
+  filter->RefineByAttributeErrorOff();
+  filter->RefineByFunctionOn();
+  filter->SetImplicitFunction(ball);
+  filter->SetMaximumLevel(levels);
+  configure ? configure(filter) : void();
+  vtkNew<Messages> own;
+  UpdateInSilence(filter, input, messages ? messages : own.Get());
+  return filter->GetOutput();
+}
+
+/// The texture coordinates of a place in a triangle of a mesh.
+std::array<double, 2> FindTexture(vtkPointSet* mesh, vtkIdType triangle, const Point& place)
+{
+  vtkCell* const cell = mesh->GetCell(triangle);
+  double closest[3];
+  double parameters[3];
+  double distance = 0.;
+  double weights[3];
+  int part = 0;
+  cell->EvaluatePosition(place.data(), closest, part, parameters, distance, weights);
+  EXPECT_LT(distance, 1e-12);
+  std::array<double, 2> found{};
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      found[k] +=
+        weights[i] * mesh->GetPointData()->GetTCoords()->GetComponent(cell->GetPointId(i), k);
+    }
+  }
+  return found;
+}
+
+/// Expects in each cell the texture of the control triangle of which it is a part.
+void ExpectLinearTexture(vtkPointSet* made, vtkPointSet* control)
+{
+  vtkDataArray* const texture = made->GetPointData()->GetTCoords();
+  vtkDataArray* const sources = made->GetCellData()->GetArray("vtkOriginalCellIds");
+  ASSERT_TRUE(texture && sources);
+  std::vector<bool> isUsed(static_cast<std::size_t>(made->GetNumberOfPoints()), false);
+  for (vtkIdType c = 0; c < made->GetNumberOfCells(); ++c)
+  {
+    const auto source = static_cast<vtkIdType>(sources->GetComponent(c, 0));
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkIdType point = made->GetCell(c)->GetPointId(i);
+      isUsed[static_cast<std::size_t>(point)] = true;
+      const auto expected = FindTexture(control, source, GetPoint(made, point));
+      EXPECT_NEAR(texture->GetComponent(point, 0), expected[0], 2e-6);
+      EXPECT_NEAR(texture->GetComponent(point, 1), expected[1], 2e-6);
+    }
+  }
+  EXPECT_EQ(std::count(isUsed.begin(), isUsed.end(), false), 0);
+}
+
+}
+
+TEST(TouchingSeams, LocalRefinementIsLinearOnBothSides)
+{
+  for (const Surface& surface : { ToTriangles(MakeCube()), ToTriangles(MakeTube(6)) })
+  {
+    vtkNew<Messages> messages;
+    const auto made = Refine(surface, 4, {}, messages);
+    EXPECT_EQ(messages->CountWarnings("texture"), 0);
+    EXPECT_GT(made->GetNumberOfCells(), 2 * surface->GetNumberOfCells());
+    ExpectLinearTexture(made, surface);
+    // A filter after it joins the sides again, undoes green cells, and goes on.
+    const auto row = Refine(Refine(surface, 2), 4);
+    SCOPED_TRACE("row");
+    ExpectLinearTexture(row, surface);
+  }
+}
+
+TEST(TouchingSeams, LocalRefinementHasThePointsOfSidesWithoutTexture)
+{
+  const Surface cube = ToTriangles(MakeCube());
+  const Surface bare = Surface::New();
+  bare->DeepCopy(cube);
+  bare->GetPointData()->SetTCoords(nullptr);
+  const auto compare = [](vtkPointSet* made, vtkPointSet* expected)
+  {
+    ASSERT_EQ(made->GetNumberOfCells(), expected->GetNumberOfCells());
+    for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+    {
+      EXPECT_EQ(GetPoint(made, i), GetPoint(expected, i));
+    }
+  };
+  const auto made = Refine(cube, 2);
+  const auto expected = Refine(bare, 2);
+  compare(made, expected);
+  compare(Refine(made, 2), Refine(expected, 2));
+}
+
+TEST(TouchingSeams, LocalRefinementOnTheLimitHasTheSameTexture)
+{
+  const Surface surface = ToTriangles(MakeTube(6));
+  const auto onLimit = [](RedGreen* filter)
+  {
+    filter->SetPlacementToLimit();
+    filter->GenerateLimitNormalsOn();
+  };
+  const auto made = Refine(surface, 1, onLimit);
+  const auto straight = Refine(surface, 1);
+  ASSERT_EQ(made->GetNumberOfPoints(), straight->GetNumberOfPoints());
+  vtkPointData* const data = made->GetPointData();
+  ASSERT_TRUE(data->GetTCoords() && data->GetNormals());
+  EXPECT_EQ(data->GetNormals()->GetNumberOfTuples(), made->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < made->GetNumberOfPoints(); ++i)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      EXPECT_EQ(data->GetTCoords()->GetComponent(i, k),
+        straight->GetPointData()->GetTCoords()->GetComponent(i, k));
+    }
+  }
+}
+
+TEST(TouchingSeams, LocalRefinementOfQuadsKeepsTheirTexture)
+{
+  const auto made = Refine(MakeCube(), 3);
+  vtkDataArray* const texture = made->GetPointData()->GetTCoords();
+  vtkDataArray* const sources = made->GetCellData()->GetArray("vtkOriginalCellIds");
+  ASSERT_TRUE(texture && sources);
+  const auto cube = MakeCube();
+  for (vtkIdType c = 0; c < made->GetNumberOfCells(); ++c)
+  {
+    // The texture of a side of the cube is linear.
+    vtkCell* const quad = cube->GetCell(static_cast<vtkIdType>(sources->GetComponent(c, 0)));
+    for (int i = 0; i < 3; ++i)
+    {
+      const vtkIdType id = made->GetCell(c)->GetPointId(i);
+      double closest[3];
+      double parameters[3];
+      double distance = 0.;
+      double weights[4];
+      int part = 0;
+      quad->EvaluatePosition(made->GetPoint(id), closest, part, parameters, distance, weights);
+      for (int k = 0; k < 2; ++k)
+      {
+        double expected = 0.;
+        for (int j = 0; j < 4; ++j)
+        {
+          expected +=
+            weights[j] * cube->GetPointData()->GetTCoords()->GetComponent(quad->GetPointId(j), k);
+        }
+        EXPECT_NEAR(texture->GetComponent(id, k), expected, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(TouchingSeams, LocalRefinementTellsWhereItKeepsNone)
+{
+  vtkNew<Messages> messages;
+  const auto made =
+    Refine(MakeCube(), 1, [](RedGreen* filter) { filter->SetOutputCellsToQuadratic(); }, messages);
+  EXPECT_FALSE(made->GetPointData()->GetTCoords());
+  EXPECT_EQ(messages->CountWarnings("differ in the texture"), 1);
 }
