@@ -12,7 +12,7 @@ import sys
 sys.dont_write_bytecode = True
 sys.path.insert(0, sys.argv[1])
 import options  # noqa: E402
-import stubs  # noqa: E402
+import signatures  # noqa: E402
 
 # How many options a signature and its help have.
 SHOWN = 8
@@ -208,10 +208,10 @@ def documentation(one):
         lines.append(("options", f"{more} more: options({quoted(one.name)}) lists all, "
                                  f"options({quoted(one.name)}, word) explains those that have a word."))
     rows = ROWS["Surface" in one.filter.cls]
-    what, first = stubs.OUTPUTS.get(one.filter.cls), lines[0][1]
-    if what == stubs.TABLE:
+    what, first = signatures.OUTPUTS.get(one.filter.cls), lines[0][1]
+    if what == signatures.TABLE:
         lines[0] = ("mesh", first.split(" What comes out")[0] + " What comes out is a dictionary of arrays.")
-    elif what == stubs.IMAGE:
+    elif what == signatures.IMAGE:
         lines[0] = ("mesh", first.replace("it is Arrays", "it is an Image: arrays by name, with the axes z, y and x"))
     parts.append("\n".join(item(name, text.replace("{rows}", rows)) for name, text in lines))
     return "\n\n".join(parts).replace("\\", "\\\\").replace('"""', '\\"\\"\\"').strip()
@@ -258,7 +258,7 @@ __all__ = {names!r}
 
 {"".join(function(one, filters) for one in functions)}''')
     with open(sys.argv[3] + "i", "w", encoding="utf-8") as file:
-        file.write(stubs.text(functions, names))
+        file.write(signatures.text(functions, names))
 
 
 if __name__ == "__main__":

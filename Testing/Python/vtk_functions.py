@@ -2,9 +2,10 @@
 """The functions of the package, with plain VTK."""
 
 from array_tools import Cells, Chosen, Results, Values  # noqa: F401
-from function_tools import Limits, Matrices, Meshes, Options, Package, PyVista  # noqa: F401
+from function_tools import Limits, Matrices, Meshes, Options  # noqa: F401
 from image_tools import Images  # noqa: F401
 from input_tools import Blocks, Digits, Forms, Messages, Rows, Texts  # noqa: F401
+from package_tools import Measures, Package, PyVista  # noqa: F401
 from series_tools import Progress, Series  # noqa: F401
 from task_tools import Help, Saved, Tasks, Types  # noqa: F401
 
