@@ -33,13 +33,14 @@ int vtkRedGreenRefinement::RequestData(
   options.Kind = this->OutputCells == QUADRATIC_CELLS ? subdivision::CurvedKind::Quadratic
                                                       : subdivision::CurvedKind::Lagrange;
   options.CellOrder = this->OutputCells == QUADRATIC_CELLS ? 2 : this->CellOrder;
-  if (options.IsCurved && !subdivision::AreNodesOnLevels(options.CellOrder))
+  if (options.IsCurved && options.GenerateLimitNormals &&
+    !subdivision::AreNodesOnLevels(options.CellOrder))
   {
-    subdivision::Fail(this,
-      "CellOrder 3 has nodes that are no middles of others: set CellOrder to 1, 2 or 4, or take "
-      "vtkMultiDimensionalSubdivision.");
-    vtkDataObject::GetData(outputVector)->Initialize();
-    return 0;
+    options.GenerateLimitNormals = false;
+    subdivision::Warn(this,
+      "Nodes of CellOrder 3, 5 and 6 have no normals: GenerateLimitNormals is ignored. Set "
+      "CellOrder "
+      "to 1, 2 or 4.");
   }
   return this->RunRounds(inputVector, outputVector, options, options.Criteria,
     [this, &options](vtkPointSet* input, vtkPointSet* output)

@@ -146,8 +146,8 @@ public:
    * QUADRATIC_CELLS (1) and LAGRANGE_CELLS (2) of CellOrder, with the nodes, the proof and the
    * repair of vtkUniformSubdivisionAlgorithm: each cell of the refined mesh becomes one, green ones
    * too, and cells that share an edge or face share its nodes. With Placement = LIMIT nodes and
-   * their values are on the limit, in the middle of two others by parameters; with LINEAR cells are
-   * straight. The next filter reads their corners like any other mesh.
+   * their values are on the limit, at places that divide cells evenly by parameters; with LINEAR
+   * cells are straight. The next filter reads their corners like any other mesh.
    */
   vtkSetClampMacro(OutputCells, int, LINEAR_CELLS, LAGRANGE_CELLS);
   vtkGetMacro(OutputCells, int);
@@ -158,10 +158,10 @@ public:
 
   ///@{
   /**
-   * The order of LAGRANGE_CELLS: 1, 2 or 4. 1 to 4, default 2. Of 3 an error says that its nodes
-   * are no middles of others.
+   * The order of LAGRANGE_CELLS, 1 to 6; default 2. Nodes of 3, 5 and 6 on the limit take longer,
+   * as they are no vertices of a level, and have no normals, as a warning says.
    */
-  vtkSetClampMacro(CellOrder, int, 1, 4);
+  vtkSetClampMacro(CellOrder, int, 1, 6);
   vtkGetMacro(CellOrder, int);
   ///@}
 

@@ -6,9 +6,13 @@
 #ifndef SubdivisionObjects_VertexRow_h
 #define SubdivisionObjects_VertexRow_h
 
+#include "vtkType.h"
+
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace subdivision
@@ -33,6 +37,9 @@ struct VertexRow
     this->Weights.push_back(weight);
   }
 };
+
+/// Up to four vertices, ascending, and their weights; -1: there are no more.
+using WeightedVertices = std::array<std::pair<vtkIdType, int>, 4>;
 
 /// A vertex of a level by its number there.
 template <typename Id>

@@ -26,11 +26,11 @@ namespace subdivision
 namespace
 {
 
-/// A node by the corners of the face or edge on which it lies, ascending, and their weights. One
-/// inside of a cell with more corners has the cell and its number there.
+/// A node by the corners of the face or edge on which it lies, and their weights. One inside of a
+/// cell with more corners has the cell and its number there.
 struct NodeName
 {
-  std::array<std::pair<vtkIdType, int>, 4> Corners;
+  WeightedVertices Corners;
 
   bool operator==(const NodeName& other) const { return this->Corners == other.Corners; }
   std::uint64_t GetHash() const
@@ -65,12 +65,7 @@ NodeName NameNode(const CurvedShape& shape, const std::array<double, 8>& weights
     }
     if (weight > 0)
     {
-      std::size_t at = size++;
-      for (; at > 0 && points[k] < name.Corners[at - 1].first; --at)
-      {
-        name.Corners[at] = name.Corners[at - 1];
-      }
-      name.Corners[at] = { points[k], weight };
+      Insert({ points[k], weight }, size++, name.Corners);
     }
   }
   return name;
@@ -250,6 +245,42 @@ bool ListMiddles(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points
   };
   const bool isDone = AddCells(mesh, kind, order, fail, nodes, add);
   SortMiddles(points, nodes.Nodes, middles);
+  return isDone;
+}
+
+bool ListMeans(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points,
+  const std::function<void(const std::string&)>& fail, CurvedNodes& nodes,
+  std::vector<WeightedVertices>& means)
+{
+  VertexNumbers<NodeName> names;
+  const auto add = [&](vtkIdType c, const CurvedShape& shape, const vtkIdType* corners)
+  {
+    for (int n = 0; n < shape.GetNumberOfNodes(); ++n)
+    {
+      const NodeName name =
+        NameNode(shape, GetStraightWeights(shape, shape.Nodes[n]), corners, c, n);
+      nodes.Nodes.push_back(name.Corners[1].first < 0
+          ? name.Corners[0].first
+          : points + static_cast<vtkIdType>(names.GetNumber(name)));
+    }
+  };
+  const bool isDone = AddCells(mesh, kind, order, fail, nodes, add);
+  std::vector<std::pair<WeightedVertices, vtkIdType>> sorted;
+  for (const NodeName& name : InTurn(names.Vertices))
+  {
+    sorted.emplace_back(name.Corners, static_cast<vtkIdType>(sorted.size()));
+  }
+  StableSort(sorted, std::less<>());
+  std::vector<vtkIdType> numbers(sorted.size());
+  for (const auto& [name, number] : InTurn(sorted))
+  {
+    numbers[number] = static_cast<vtkIdType>(means.size());
+    means.push_back(name);
+  }
+  for (vtkIdType& node : InTurn(nodes.Nodes))
+  {
+    node = node < points ? node : points + numbers[node - points];
+  }
   return isDone;
 }
 

@@ -6,6 +6,7 @@
 #ifndef SubdivisionObjects_CurvedNodes_h
 #define SubdivisionObjects_CurvedNodes_h
 
+#include "Core/Operators/VertexRow.h"
 #include "Private/Curved/CurvedShapes.h"
 
 #include "vtkDoubleArray.h"
@@ -56,6 +57,22 @@ bool ListNodes(vtkPointSet* mesh, CurvedKind kind, int order,
 bool ListMiddles(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points,
   const std::function<void(const std::string&)>& fail, CurvedNodes& nodes,
   std::vector<std::array<vtkIdType, 2>>& middles);
+
+/// The same for all orders, where nodes after the points are means of some, in the order of these.
+bool ListMeans(vtkPointSet* mesh, CurvedKind kind, int order, vtkIdType points,
+  const std::function<void(const std::string&)>& fail, CurvedNodes& nodes,
+  std::vector<WeightedVertices>& means);
+
+/// Inserts into the first `size` vertices, which ascend.
+inline void Insert(
+  const std::pair<vtkIdType, int>& vertex, std::size_t size, WeightedVertices& vertices)
+{
+  for (; size > 0 && vertex.first < vertices[size - 1].first; --size)
+  {
+    vertices[size] = vertices[size - 1];
+  }
+  vertices[size] = vertex;
+}
 
 /// Gives a mesh such cells in the place of its own, one for each.
 void SetCells(const CurvedNodes& nodes, vtkUnstructuredGrid* mesh);

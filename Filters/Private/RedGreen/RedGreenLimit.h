@@ -52,6 +52,10 @@ public:
   LocalLimit<Id> GetOperator(
     const std::vector<std::array<Id, 2>>& midpoints, bool hasNormals) const;
 
+  /// Uses the rows of the limits at means of control vertices, which lie in one simplex: those of
+  /// `means` from `first` on.
+  void ForMeans(const SparseRows<Id>& means, vtkIdType first, const PointOperator::User& use) const;
+
   const SemiSharpStages<Id>& GetCreases() const { return this->Creases; }
   const std::vector<double>& GetControlCoordinates() const { return this->ControlCoordinates; }
   const std::vector<double>& GetControlAttribute() const { return this->ControlAttribute; }

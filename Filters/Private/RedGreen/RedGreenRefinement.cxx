@@ -6,7 +6,7 @@
 #include "Core/Solids/Complex/TetOrder.h"
 #include "Private/ArrayNames.h"
 #include "Private/Arrays/CellArrays.h"
-#include "Private/Curved/CurvedNodes.h"
+#include "Private/Curved/CurvedCells.h"
 #include "Private/Partitions/OtherPartitions.h"
 #include "Private/Partitions/SharedNumbers.h"
 #include "Private/RedGreen/OpenSplits.h"
@@ -232,14 +232,41 @@ void NumberMidpoints(const std::vector<Id>& vertices, Id first,
   points.Add(midpoints, others, { vertices.begin(), vertices.end() });
 }
 
+/// The same for means of vertices.
+void NumberMeans(const std::vector<WeightedVertices>& means, vtkIdType first,
+  const std::vector<char>& own, OtherPartitions& others, WholeIds& points)
+{
+  SharedKeys keys;
+  keys.Width = 8;
+  std::vector<vtkIdType> places;
+  for (const WeightedVertices& mean : InTurn(means))
+  {
+    places.push_back(first);
+    keys.Own.push_back(own[first++]);
+    WeightedVertices whole{};
+    std::size_t size = 0;
+    for (const auto& [vertex, weight] : mean)
+    {
+      const vtkIdType id = vertex < 0 ? -1 : points.Ids[vertex];
+      id >= 0 ? Insert({ id, weight }, size++, whole) : void();
+      keys.Own.back() = vertex >= 0 && id < 0 ? char(0) : keys.Own.back();
+    }
+    for (const auto& [id, weight] : whole)
+    {
+      keys.Keys.insert(keys.Keys.end(), { id, weight });
+    }
+  }
+  points.Add(keys, others, places);
+}
+
 /// Numbers the output of a state whose vertices are sorted; `simplices`: of which each cell is a
-/// part; `midpoints`: the ends of new vertices, of nodes of curved cells too. Vertices of each
-/// number of halvings are numbered after vertices of less: two exchanges for each, of 32 bytes for
-/// each vertex.
+/// part; `midpoints`: the ends of new vertices, of nodes of curved cells too; `means`: further
+/// nodes. Vertices of each number of halvings are numbered after vertices of less: two exchanges
+/// for each, of 32 bytes for each vertex.
 template <typename Id>
 WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const RedGreen<Id>& state,
   const std::vector<vtkIdType>& simplices, const std::vector<std::array<Id, 2>>& midpoints,
-  OtherPartitions& others, vtkUnstructuredGrid* output)
+  const std::vector<WeightedVertices>& means, OtherPartitions& others, vtkUnstructuredGrid* output)
 {
   std::vector<vtkIdType> sources;
   for (const vtkIdType simplex : InTurn(simplices))
@@ -269,6 +296,7 @@ WholeNumbers NumberOutput(vtkPointSet* input, const RedGreenMesh& mesh, const Re
   {
     NumberMidpoints(vertices, first, midpoints, own, others, numbers.Points);
   }
+  NumberMeans(means, first + static_cast<vtkIdType>(midpoints.size()), own, others, numbers.Points);
   return numbers;
 }
 
@@ -294,12 +322,18 @@ bool RedGreenRun::Refine()
     return false;
   }
   std::vector<std::array<Id, 2>> midpoints = ListEnds(state);
+  std::vector<WeightedVertices> means;
   CurvedNodes nodes;
   if (this->Options.IsCurved)
   {
     std::vector<std::array<vtkIdType, 2>> middles;
-    if (!ListMiddles(this->Output, this->Options.Kind, this->Options.CellOrder,
-          state.GetNumberOfVertices(), this->Options.Fail, nodes, middles))
+    const auto list = [&](const auto& listNodes, auto& found)
+    {
+      return listNodes(this->Output, this->Options.Kind, this->Options.CellOrder,
+        state.GetNumberOfVertices(), this->Options.Fail, nodes, found);
+    };
+    if (!(AreNodesOnLevels(this->Options.CellOrder) ? list(ListMiddles, middles)
+                                                    : list(ListMeans, means)))
     {
       return false;
     }
@@ -308,7 +342,7 @@ bool RedGreenRun::Refine()
       midpoints.push_back({ { static_cast<Id>(ends[0]), static_cast<Id>(ends[1]) } });
     }
   }
-  this->MakePoints(state.GetNumberOfInputVertices(), midpoints, limit);
+  this->MakePoints(state.GetNumberOfInputVertices(), midpoints, means, limit);
   TellOvershoot(*this->Points, this->Options, this->Output, this->Options.LimitPlacement);
   if (this->Options.IsCurved)
   {
@@ -319,7 +353,7 @@ bool RedGreenRun::Refine()
   if (this->Others)
   {
     whole = NumberOutput(
-      this->Input, this->Mesh, state, simplices, midpoints, *this->Others, this->Output);
+      this->Input, this->Mesh, state, simplices, midpoints, means, *this->Others, this->Output);
     whole.Write(this->Output);
   }
   WriteRedGreenFields(this->Mesh, plan, this->Options.LimitPlacement, whole, this->Output);
@@ -330,15 +364,64 @@ bool RedGreenRun::Refine()
   return true;
 }
 
+namespace
+{
+
+/// Limits of vertices, and after them those of means.
 template <typename Id>
-void RedGreenRun::MakePoints(
-  Id given, const std::vector<std::array<Id, 2>>& midpoints, const RedGreenLimit<Id>& limit)
+struct LimitsAndMeans : PointOperator
+{
+  LimitsAndMeans(
+    const LocalLimit<Id>& vertices, const RedGreenLimit<Id>& limit, const SparseRows<Id>& rows)
+    : Vertices(vertices)
+    , Limit(limit)
+    , Rows(rows)
+  {
+  }
+  vtkIdType GetNumberOfColumns() const override { return this->Rows.NumberOfColumns; }
+  vtkIdType GetNumberOfRows() const override
+  {
+    return this->Rows.NumberOfColumns + this->Rows.GetNumberOfRows();
+  }
+  vtkIdType GetNumberBetween() const override { return this->Vertices.GetNumberBetween(); }
+  void ForEachBlock(const User& use) const override
+  {
+    this->Vertices.ForEachBlock(use);
+    this->Limit.ForMeans(
+      this->Rows, this->Vertices.GetNumberOfRows() - this->Rows.NumberOfColumns, use);
+  }
+
+  const LocalLimit<Id>& Vertices;
+  const RedGreenLimit<Id>& Limit;
+  const SparseRows<Id>& Rows; ///< of midpoints and means
+};
+
+}
+
+template <typename Id>
+void RedGreenRun::MakePoints(Id given, const std::vector<std::array<Id, 2>>& midpoints,
+  const std::vector<WeightedVertices>& means, const RedGreenLimit<Id>& limit)
 {
   VertexOrigins origin(*this->Points);
   if (this->Points->GathersSome())
   {
-    origin.Continue(given, given + static_cast<vtkIdType>(midpoints.size()),
-      [&](vtkIdType v) { return midpoints[v - given]; });
+    const vtkIdType nodes = given + static_cast<vtkIdType>(midpoints.size());
+    const auto getEnds = [&](vtkIdType v) -> std::array<vtkIdType, 2>
+    {
+      if (v < nodes)
+      {
+        return { { midpoints[v - given][0], midpoints[v - given][1] } };
+      }
+      const WeightedVertices& mean = means[v - nodes]; // the vertex to which it is next
+      const auto* found = std::max_element(mean.begin(), mean.end(),
+        [&](const auto& a, const auto& b)
+        {
+          return a.second != b.second ? a.second < b.second
+                                      : a.first >= 0 && origin.IsFirst(b.first, a.first);
+        });
+      return { { found->first, found->first } };
+    };
+    origin.Continue(given, nodes + static_cast<vtkIdType>(means.size()), getEnds);
   }
   if (this->Options.LimitPlacement)
   {
@@ -351,7 +434,15 @@ void RedGreenRun::MakePoints(
         this->Input, this->Mesh.Control, this->GetGivenCoordinates(), limit, this->Others);
       normals = sides.Compute(operation, this->Points->GetCoordinates());
     }
-    this->Points->Advance(operation, std::cref(origin));
+    if (means.empty())
+    {
+      this->Points->Advance(operation, std::cref(origin));
+    }
+    else
+    {
+      const MidpointRows<Id> rows = MakeRowsOfMidpoints(given, midpoints, means);
+      this->Points->Advance(LimitsAndMeans<Id>(operation, limit, rows.Added), std::cref(origin));
+    }
     if (hasNormals)
     {
       this->Points->SetLimitNormals(normals);
@@ -359,10 +450,10 @@ void RedGreenRun::MakePoints(
   }
   else
   {
-    const bool adds = !midpoints.empty();
+    const bool adds = !midpoints.empty() || !means.empty();
     if (adds)
     {
-      this->Points->Advance(MakeRowsOfMidpoints(given, midpoints), std::cref(origin));
+      this->Points->Advance(MakeRowsOfMidpoints(given, midpoints, means), std::cref(origin));
     }
     if (!this->AllAgree(!adds))
     {

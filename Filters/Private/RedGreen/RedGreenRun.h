@@ -65,8 +65,8 @@ private:
   void WarnOfNotes(MarkNotes& notes);
 
   template <typename Id>
-  void MakePoints(
-    Id given, const std::vector<std::array<Id, 2>>& midpoints, const RedGreenLimit<Id>& limit);
+  void MakePoints(Id given, const std::vector<std::array<Id, 2>>& midpoints,
+    const std::vector<WeightedVertices>& means, const RedGreenLimit<Id>& limit);
   Coordinates GetGivenCoordinates()
   {
     return this->GivenCoordinates.empty()

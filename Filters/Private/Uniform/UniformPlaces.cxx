@@ -32,31 +32,6 @@ namespace
 
 using Vector = std::array<double, 3>;
 
-/// The places of a part are looked at together: few, so that their rows take little memory and a
-/// user can stop between them. Rows in solids have far more entries.
-template <typename Id, typename LevelType, typename Use>
-void ForParts(const LevelType& level, const SemiSharpStages<Id>& creases,
-  const std::vector<LimitPlace<Id>>& places, PlaceDerivatives derivatives, const Use& use)
-{
-  constexpr int most = 8192;
-  constexpr int weightOfSolid = 32;
-  std::vector<LimitPlace<Id>> part;
-  int weight = 0;
-  for (std::size_t i = 0; i < places.size(); ++i)
-  {
-    part.push_back(places[i]);
-    weight += places[i].Dimension == 3 ? weightOfSolid : 1;
-    if (weight >= most || i + 1 == places.size())
-    {
-      use(static_cast<vtkIdType>(i + 1 - part.size()),
-        PlaceLimits<Id>(level, creases, part, derivatives));
-      BetweenLoops::Act();
-      part.clear();
-      weight = 0;
-    }
-  }
-}
-
 /// Gives a place the order of the points of its cell, which is one simplex.
 template <typename Id>
 void SetOrder(vtkIdList* points, LimitPlace<Id>& place)
@@ -286,7 +261,8 @@ bool UniformRun::FindNearest(const PlaceRequest& request, const typename Scheme:
     std::vector<LimitPlace<Id>> at;
     std::transform(nearest.begin(), nearest.end(), std::back_inserter(at), makePlace);
     PlaceValues values(at.size());
-    ForParts(level, creases, at, valuesOnly ? PlaceDerivatives::None : PlaceDerivatives::Second,
+    ForPartsOfPlaces(level, creases, at,
+      valuesOnly ? PlaceDerivatives::None : PlaceDerivatives::Second,
       [&](vtkIdType begin, const PlaceLimits<Id>& limits)
       {
         ForEach(limits.Rows.GetNumberOfPlaces(),
@@ -356,7 +332,7 @@ bool UniformRun::FindPlaces(const PlaceRequest& request, const typename Scheme::
     request, static_cast<vtkIdType>(places.size()), missing,
     [&](const auto& use)
     {
-      ForParts(level, creases, places, request.GetDerivatives(),
+      ForPartsOfPlaces(level, creases, places, request.GetDerivatives(),
         [&use](vtkIdType begin, const PlaceLimits<Id>& limits) { use(begin, limits.Rows); });
     },
     [&](vtkIdType place) { return places[place].Dimension; },

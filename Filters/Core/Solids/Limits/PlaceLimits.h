@@ -17,6 +17,7 @@
 #ifndef SubdivisionObjects_PlaceLimits_h
 #define SubdivisionObjects_PlaceLimits_h
 
+#include "Core/Memory/Loops.h"
 #include "Core/Operators/PlaceParts.h"
 #include "Core/Solids/Limits/LimitStencils.h"
 
@@ -47,6 +48,31 @@ struct PlaceLimits
 
   PlaceRows<Id> Rows;
 };
+
+/// use(first, limits) for a part of the places after the other: few, so that their rows take little
+/// memory and a user can stop between them. Rows in solids have far more entries.
+template <typename Id, typename LevelType, typename Use>
+void ForPartsOfPlaces(const LevelType& level, const SemiSharpStages<Id>& creases,
+  const std::vector<LimitPlace<Id>>& places, PlaceDerivatives derivatives, const Use& use)
+{
+  constexpr int most = 8192;
+  constexpr int weightOfSolid = 32;
+  std::vector<LimitPlace<Id>> part;
+  int weight = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    part.push_back(places[i]);
+    weight += places[i].Dimension == 3 ? weightOfSolid : 1;
+    if (weight >= most || i + 1 == places.size())
+    {
+      use(static_cast<vtkIdType>(i + 1 - part.size()),
+        PlaceLimits<Id>(level, creases, part, derivatives));
+      BetweenLoops::Act();
+      part.clear();
+      weight = 0;
+    }
+  }
+}
 
 }
 

@@ -318,15 +318,17 @@ void MidpointRows<Id>::ForEachBlock(const User& use) const
 }
 
 template <typename Id>
-MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id, 2>>& ends)
+MidpointRows<Id> MakeRowsOfMidpoints(
+  Id inputs, const std::vector<std::array<Id, 2>>& ends, const std::vector<WeightedVertices>& means)
 {
-  const auto size = static_cast<vtkIdType>(ends.size());
+  const auto midpoints = static_cast<vtkIdType>(ends.size());
+  const vtkIdType size = midpoints + static_cast<vtkIdType>(means.size());
   MidpointRows<Id> result;
   SparseRows<Id>& added = result.Added;
   added.NumberOfColumns = inputs;
   added.Offsets = Buffer<Id>(size + 1);
   added.Offsets[0] = 0;
-  // Each row is made of the rows of its ends, which are earlier.
+  // Each row is made of the rows of its ends, which are earlier. Sums are exact.
   GrowingBuffer<Id> columns;
   GrowingBuffer<double> weights;
   for (const vtkIdType row : InTurn(size))
@@ -344,19 +346,37 @@ MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id,
         columns.push_back(column);
         weights.push_back(0.);
       }
-      weights[k] += 0.5 * weight;
+      weights[k] += weight;
     };
-    for (const Id end : ends[row])
+    const auto addRow = [&](vtkIdType end, double factor)
     {
       if (end < inputs)
       {
-        add(end, 1.);
-        continue;
+        add(static_cast<Id>(end), factor);
+        return;
       }
       const vtkIdType last = added.Offsets[end - inputs + 1];
       for (vtkIdType k = added.Offsets[end - inputs]; k < last; ++k)
       {
-        add(columns[k], weights[k]);
+        add(columns[k], factor * weights[k]);
+      }
+    };
+    if (row < midpoints)
+    {
+      addRow(ends[row][0], 0.5);
+      addRow(ends[row][1], 0.5);
+    }
+    else
+    {
+      double all = 0.;
+      for (const auto& [vertex, weight] : means[row - midpoints])
+      {
+        vertex >= 0 ? addRow(vertex, weight) : void();
+        all += weight;
+      }
+      for (vtkIdType k = first; k < weights.size(); ++k)
+      {
+        weights[k] /= all;
       }
     }
     SortRow(columns, weights, first);

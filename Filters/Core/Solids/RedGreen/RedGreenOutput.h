@@ -8,6 +8,7 @@
 #define SubdivisionObjects_RedGreenOutput_h
 
 #include "Core/Operators/SparseRows.h"
+#include "Core/Operators/VertexRow.h"
 #include "Core/Solids/BoxSpline/RefinedCells.h"
 #include "Core/Solids/RedGreen/RedGreen.h"
 
@@ -109,9 +110,10 @@ struct MidpointRows : PointOperator
   void ForEachBlock(const User& use) const override;
 };
 
-/// `ends`: of each midpoint, after `inputs` vertices.
+/// `ends`: of each midpoint, after `inputs` vertices. Then come means of all these.
 template <typename Id>
-MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id, 2>>& ends);
+MidpointRows<Id> MakeRowsOfMidpoints(Id inputs, const std::vector<std::array<Id, 2>>& ends,
+  const std::vector<WeightedVertices>& means = {});
 
 /// The ends of the midpoints of a state.
 template <typename Id>
