@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CurvedDisplay.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
+#include "vtkCellType.h"
+#include "vtkCellTypes.h"
 #include "vtkCommand.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
@@ -13,6 +18,28 @@
 namespace
 {
 constexpr int LevelOfCurved = 3; ///< an edge is drawn as eight lines
+
+/// Whether a filter's output has, or may have, curved lines. VTK up to 9.2 crashes where it draws
+/// these in more than two parts. Outputs on a server are not looked at.
+bool MayHaveLines(vtkSMProxy* source)
+{
+  auto* made = vtkAlgorithm::SafeDownCast(source->GetClientSideObject());
+  if (!made)
+  {
+    return true;
+  }
+  for (vtkDataSet* mesh :
+    vtkCompositeDataSet::GetDataSets<vtkDataSet>(made->GetOutputDataObject(0)))
+  {
+    vtkNew<vtkCellTypes> types;
+    mesh->GetCellTypes(types);
+    if (types->IsType(VTK_QUADRATIC_EDGE) || types->IsType(VTK_LAGRANGE_CURVE))
+    {
+      return true;
+    }
+  }
+  return false;
+}
 
 /// A display is registered once it has its input, and before it is drawn.
 void SetLevel(vtkObject*, unsigned long, void*, void* data)
@@ -30,7 +57,8 @@ void SetLevel(vtkObject*, unsigned long, void*, void* data)
     vtkSMPropertyHelper(source, "OutputCells").GetAsInt() != 0)
   {
     vtkSMPropertyHelper level(display, "NonlinearSubdivisionLevel");
-    level.GetAsInt() < LevelOfCurved ? level.Set(LevelOfCurved) : void();
+    const bool isFine = level.GetAsInt() >= LevelOfCurved || MayHaveLines(source);
+    isFine ? void() : level.Set(LevelOfCurved);
   }
 }
 
