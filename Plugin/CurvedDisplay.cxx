@@ -4,16 +4,17 @@
 #include "vtkAlgorithm.h"
 #include "vtkCallbackCommand.h"
 #include "vtkCellType.h"
-#include "vtkCellTypes.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSet.h"
 #include "vtkNew.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMSessionProxyManager.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 namespace
 {
@@ -23,19 +24,25 @@ constexpr int LevelOfCurved = 3; ///< an edge is drawn as eight lines
 /// these in more than two parts. Outputs on a server are not looked at.
 bool MayHaveLines(vtkSMProxy* source)
 {
-  auto* made = vtkAlgorithm::SafeDownCast(source->GetClientSideObject());
-  if (!made)
+  auto* const filter = vtkSMSourceProxy::SafeDownCast(source);
+  auto* const made = vtkAlgorithm::SafeDownCast(source->GetClientSideObject());
+  if (!filter || !made)
   {
     return true;
   }
-  for (vtkDataSet* mesh :
-    vtkCompositeDataSet::GetDataSets<vtkDataSet>(made->GetOutputDataObject(0)))
+  filter->UpdatePipeline(); // a script may show what was not made yet
+  const auto isLine = [](double type)
+  { return type == VTK_QUADRATIC_EDGE || type == VTK_LAGRANGE_CURVE; };
+  for (auto* mesh :
+    vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(made->GetOutputDataObject(0)))
   {
-    vtkNew<vtkCellTypes> types;
-    mesh->GetCellTypes(types);
-    if (types->IsType(VTK_QUADRATIC_EDGE) || types->IsType(VTK_LAGRANGE_CURVE))
+    vtkUnsignedCharArray* const types = mesh->GetDistinctCellTypesArray();
+    for (vtkIdType i = 0; i < types->GetNumberOfTuples(); ++i)
     {
-      return true;
+      if (isLine(types->GetComponent(i, 0)))
+      {
+        return true;
+      }
     }
   }
   return false;

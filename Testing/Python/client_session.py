@@ -360,8 +360,9 @@ class Client(unittest.TestCase):
             self.assertAlmostEqual(found, wanted, delta=0.05 * size + 1e-9)  # flat boxes get some height
         self.assertTrue(all(bounds[axis + 1] > bounds[axis] for axis in (0, 2, 4)))
         before = smooth.GetDataInformation().GetBounds()
-        frames = drag(view, [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2], smooth)
+        frames, drawn = drag(view, [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2], smooth)
         self.assertGreater(frames, 3)  # during the drag
+        self.assertLessEqual(drawn, frames + 1)  # the box does not draw the view by itself
         moved = list(edit.Translation)
         self.assertGreater(max(map(abs, moved)), 0.05)
         settle()

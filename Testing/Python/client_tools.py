@@ -195,7 +195,8 @@ def client_box(view):
 
 
 def drag(view, start, followed):
-    """Draws what is at a place of the view by the mouse, with Auto Apply: how often `followed` was made meanwhile."""
+    """Draws what is at a place of the view by the mouse, with Auto Apply: how often `followed` was made meanwhile, and the view
+    drawn."""
     settings = servermanager.vtkPVGeneralSettings.GetInstance()
     before = settings.GetAutoApply()
     settings.SetAutoApply(True)
@@ -208,15 +209,19 @@ def drag(view, start, followed):
     interactor.SetEventInformation(x, y)
     interactor.InvokeEvent("MouseMoveEvent")
     interactor.InvokeEvent("LeftButtonPressEvent")
+    settle()
+    drawn = []
+    tag = view.GetRenderWindow().AddObserver("StartEvent", lambda *_: drawn.append(1))
     for step in range(1, 11):
         interactor.SetEventInformation(x + 4 * step, y + 4 * step)
         interactor.InvokeEvent("MouseMoveEvent")
         settle()
         times.add(followed.GetClientSideObject().GetOutputDataObject(0).GetMTime())
+    view.GetRenderWindow().RemoveObserver(tag)
     interactor.InvokeEvent("LeftButtonReleaseEvent")
     settle()
     settings.SetAutoApply(before)
-    return len(times) - 1
+    return len(times) - 1, len(drawn)
 
 
 def picture_of_view(view, name):

@@ -22,7 +22,7 @@ CASES = [(LOCAL, MODELS.MIXED_DIMENSIONS, {**RED_GREEN, "OutputCells": 1}),
          (LOCAL, MODELS.SHIP, {**RED_GREEN, "OutputCells": 1, "VolumeScheme": 1, "MaximumEdgeLength": 0.8}),
          (LOCAL, MODELS.MIXED_DIMENSIONS, {**SLOW, "OutputCells": 2, "CellOrder": 3}),
          (LOCAL, MODELS.MATERIAL_BLOCK, {**SLOW, **JUMPING, "OutputCells": 2, "CellOrder": 3}),
-         (LOCAL, MODELS.SHIP, {**SLOW, "OutputCells": 2, "CellOrder": 3, "VolumeScheme": 1, "MaximumEdgeLength": 2.0}),
+         (LOCAL, MODELS.SHIP, {**SLOW, "OutputCells": 2, "CellOrder": 3, "VolumeScheme": 1, "MaximumEdgeLength": 4.0}),
          (UNIFORM, MODELS.MATERIAL_BLOCK, {**JUMPING, "NumberOfLevels": 1, "OutputCells": 2}),
          (UNIFORM, MODELS.SCREW, {"NumberOfLevels": 0, "OutputCells": 3, "CellOrder": 4})]
 REPAIRED = [(UNIFORM, MODELS.MIXED_DIMENSIONS, {"NumberOfLevels": 0, "OutputCells": 2}),

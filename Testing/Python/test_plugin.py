@@ -247,8 +247,8 @@ class Proxies(unittest.TestCase):
         """Finely, but not where there are curved lines, on which VTK crashes then."""
         view = simple.CreateRenderView()
         for cells, level, model, options in (("Linear", 1, "Ship", {}), ("Bezier", 3, "Ship", {}), ("Quadratic", 3, "MaterialBlock", {}),
-                                             ("Quadratic", 1, "SpringAndValve", {}), ("Lagrange", 1, "SpringAndValve", {}),
-                                             ("Quadratic", 3, "SpringAndValve", {"OutputDimensions": [3]})):
+                                             ("Quadratic", 1, "MixedDimensions", {}), ("Lagrange", 1, "MixedDimensions", {}),
+                                             ("Quadratic", 3, "MixedDimensions", {"OutputDimensions": ["Tetrahedra"]})):
             made = simple.MultidimensionalSubdivision(Input=simple.SubdivisionModel(Model=model), OutputCells=cells, **options)
             self.assertEqual(simple.Show(made, view).NonlinearSubdivisionLevel, level, (cells, model))
             simple.Render(view)

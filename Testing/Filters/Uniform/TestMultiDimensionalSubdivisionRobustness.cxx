@@ -230,9 +230,9 @@ TEST(MultiDimensionalSubdivisionLimits, AbsurdLevels)
   ExpectRefused(MakeTet(), options, { "cells", "47.3 EB" });
   options.Levels = 12; // 8^12 tets are some terabytes, whatever the limit says
   options.MaximumNumberOfCells = VTK_ID_MAX;
-  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "4.86 TB" });
+  ExpectRefused(MakeTet(), options, { "68736253952 cells", "points", "5.69 TB" });
   options.Levels = 20;
-  ExpectRefused(MakeTet(), options, { "81.5 EB" });
+  ExpectRefused(MakeTet(), options, { "95.3 EB" });
   ExpectRefused(MakeMixedBox(1), options, { " EB" });
   ExpectRefused(MakeMixedBox(4), options, { " EB" });
 }
